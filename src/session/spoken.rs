@@ -25,7 +25,7 @@ use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_in_words};
-use crate::language::lexicon::phrases::Label;
+use crate::language::lexicon::phrases::{Label, Place};
 use crate::language::lexicon::roles;
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
@@ -99,13 +99,13 @@ impl Reader<'_> {
                         Some(right) => equation(one.clone(), right),
                         None => one.clone(),
                     }),
-                    ([one], [read]) => self.value_at(one, read),
+                    ([one], [read]) => self.value_at(one, read).or_else(|| {
+                        self.values_at(one, std::slice::from_ref(read)).filter(|_| read.label == Label::At)
+                    }),
                     // t^2 at 2 and at 3
-                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => reads
-                        .iter()
-                        .map(|read| self.value_at(one, read))
-                        .collect::<Option<_>>()
-                        .map(draft::list),
+                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => {
+                        self.values_at(one, reads)
+                    }
                     _ => None,
                 });
             }
@@ -218,6 +218,15 @@ impl Reader<'_> {
                 };
                 asked.hear(label, items);
             }
+        }
+        // the left half of 0, 2, 6
+        let half = |draft: &Draft| {
+            let phrase = self.file.slice(draft.phrase).to_lowercase();
+            draft.part.is_some()
+                && ["half", "hälfte", "moitié", "mitad", "metà"].iter().any(|own| phrase.contains(own))
+        };
+        if asked.drafts.iter().any(half) && !asked.has_place() {
+            asked.places.push(Place::Middle);
         }
         Ok(Some(asked))
     }
@@ -345,6 +354,16 @@ impl Reader<'_> {
             }
             _ => None,
         }
+    }
+
+    /// A formula at several places: t^2 at 1, 2 and 3.
+    fn values_at(&self, formula: &Expr, reads: &[Read]) -> Option<Expr> {
+        let items: Vec<&Expr> = reads.iter().flat_map(|read| &read.items).collect();
+        let decimal = items.windows(2).any(|pair| eval::is_decimal_comma(pair[0], pair[1]));
+        let at =
+            |item: &&Expr| self.value_at(formula, &Read { label: Label::At, items: vec![(*item).clone()] });
+        let found = items.iter().map(at).collect::<Option<Vec<_>>>()?;
+        (found.len() > 1 && !decimal).then(|| draft::list(found))
     }
 
     /// The symbols in the value of a formula.

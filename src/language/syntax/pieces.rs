@@ -74,6 +74,24 @@ pub(super) fn parts(
             before = ' ';
             continue;
         }
+        // de 0 a 3
+        if c == 'a'
+            && depth == 0
+            && before == ' '
+            && solid.is_ascii_digit()
+            && matches!(parts.last(), Some(Part::Phrase(Phrase::Of | Phrase::Label(Label::From), _)))
+            && text
+                .piece(at..)
+                .strip_prefix("a ")
+                .is_some_and(|rest| rest.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit()))
+        {
+            push(&mut parts, start, at);
+            parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + 1)));
+            at += 1;
+            start = at;
+            before = ' ';
+            continue;
+        }
         // 0, 4, 2, t = 1/2
         let ends = solid.is_alphanumeric() || matches!(solid, ',' | ')' | ']' | '}');
         let after_list = before == ',' || listed && before.is_whitespace() && ends;

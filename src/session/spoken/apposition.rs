@@ -36,6 +36,12 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
             let nodes = vec![list(nodes.clone())];
             Some((Expr::new(Kind::Subscript(Box::new(function.grouped()), nodes), item.span), 0))
         }
+        // the Bernstein polynomial B_2^4
+        ("bernstein", Kind::Pow(base, exponent))
+            if matches!(base.kind, Kind::Subscript(..)) && exponent.as_int().is_some() =>
+        {
+            Some((item.clone(), 0))
+        }
         // the divided difference f[a, b]
         ("divided_differences", Kind::Subscript(_, nodes))
             if said.is_empty() && matches!(nodes.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>

@@ -102,7 +102,12 @@ impl Draft {
     pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return false };
         match first.kind {
-            Takes::Function => items.len() > 1 && is_points(items),
+            // the derivative of 0, 1, 3
+            Takes::Function => {
+                let number = |item: &Expr| matches!(item.kind, Kind::Number(_));
+                let numbers = self.builtin.name == "derivative" && items.iter().all(number);
+                items.len() > 1 && (is_points(items) || numbers)
+            }
             Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
             Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {

@@ -52,6 +52,11 @@ impl Utterance {
         self.said.push(Read { label, items });
     }
 
+    /// Whether a place is said in any way.
+    pub(super) fn has_place(&self) -> bool {
+        !self.places.is_empty() || self.says(Label::At)
+    }
+
     /// Values for the places that have a word. Of a spline they depend on its knots.
     fn take_places(&mut self) {
         let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
@@ -107,6 +112,17 @@ impl Utterance {
         {
             inner.builtin = count;
             self.drafts.remove(0);
+        }
+        // the point at 1/3 on the curve (0, 0), (1, 2), (2, 0)
+        if self.drafts.is_empty() && self.items.is_empty() && !self.says(Label::Points) {
+            let curve = |read: &&mut Read| {
+                read.label == Label::Over
+                    && read.items.len() > 1
+                    && read.items.iter().all(|item| matches!(item.kind, Kind::Tuple(_)))
+            };
+            if let Some(read) = self.said.iter_mut().find(curve) {
+                read.label = Label::Points;
+            }
         }
         self.meeting();
         self.roots_within();

@@ -42,7 +42,22 @@ impl Values {
         };
         let mut parameters: Vec<(String, Expr)> = Vec::new();
         let mut others = Vec::new();
-        for read in self.0.drain(..) {
+        for mut read in self.0.drain(..) {
+            // at t = 1/4, t = 1/2
+            let named: Vec<(String, Expr)> = read
+                .items
+                .iter()
+                .filter_map(|item| eval::named(item).map(|(name, value)| (name, value.clone())))
+                .collect();
+            if let [(first, _), rest @ ..] = named.as_slice()
+                && !rest.is_empty()
+                && named.len() == read.items.len()
+                && rest.iter().all(|(name, _)| name == first)
+                && roles::is_variable(first)
+                && read.label == Label::At
+            {
+                read.items = named.iter().map(|(_, value)| value.clone()).collect();
+            }
             match parameter(&read) {
                 Some(_) if nature(&formula) == Nature::Number => return Err(read),
                 // t = 1 and t = 2

@@ -272,6 +272,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          raccord | raccordement | continues | continuité | continuidad | continuas | 连续 | 拼接",
     ),
     (
+        Function("differences"),
+        "forward differences | vorwärtsdifferenzen | différences progressives | diferencias progresivas",
+    ),
+    (
         Function("arc_length"),
         "length | arc length | länge | bogenlänge | longueur | longueur d'arc | longitud | longitud de arco | lunghezza | 弧长",
     ),
@@ -307,7 +311,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Where,
-        "and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
+        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
          and how large is it | what is it there | wo | und wo | et où | y dónde | dónde | e dove | 在哪里",
     ),
     (
@@ -425,7 +429,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(In),
-        "in | with respect to | wrt | w r t | nach der variablen | bezüglich | par rapport à | by | \
+        "in | dans | dentro de | nel | nella | with respect to | wrt | w r t | nach der variablen | bezüglich | par rapport à | by | \
          关于",
     ),
     (
