@@ -245,7 +245,9 @@ impl Session {
         };
         if let Some(formula) = formula.or_else(|| self.called_in_words(file, whole)) {
             let read = read_as(&formula, whole);
-            let mut answer = self.evaluated(file, formula, equals, false)?;
+            let mut answer = self
+                .evaluated(file, formula, equals, false)
+                .map_err(|failure| self.with_what_is_missing(file, whole, failure))?;
             answer.outcome.notes.insert(0, read);
             answer.outcome.fails =
                 matches!(&answer.outcome.value, Value::Derivation(shown) if shows_negative_value(shown));

@@ -24,9 +24,7 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                 );
             }
             // [0,1,2]x^2
-            let function = matches!(pair[1].kind, Kind::Div(..))
-                || factors.len() > 2 && matches!(factors[2].kind, Kind::Div(..));
-            if let (Kind::List(items), true) = (&pair[0].kind, touches && factors.len() == 2 || function)
+            if let (Kind::List(items), [_, _], true) = (&pair[0].kind, factors.as_slice(), touches)
                 && items.len() > 1
                 && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
             {
@@ -59,6 +57,19 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                 );
             }
         }
+    }
+    // [0,1,2] 1/x
+    if let Kind::Div(above, below, Quotient::Slash) = &expr.kind
+        && let (Kind::Mul(factors), Kind::Name(_)) = (&above.kind, &below.kind)
+        && let [Expr { kind: Kind::List(items), .. }, Expr { kind: Kind::Number(_), .. }] = factors.as_slice()
+        && items.len() > 1
+        && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
+    {
+        notes.push(
+            Diagnostic::note(Code::AmbiguousProduct, "the list is read as a factor of what follows it")
+                .hint("a divided difference is written F[0, 1, 2] for a function F")
+                .at(expr.span),
+        );
     }
     // \sum_k 2k + 3k
     if let (Kind::Add(terms), true) = (&expr.kind, latex) {

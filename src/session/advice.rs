@@ -185,6 +185,31 @@ impl Session {
         }
     }
 
+    /// A failure for want of an argument, with what may be said besides: maximum of t^2 — on [0, 1].
+    pub(super) fn with_what_is_missing(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        mut failure: Box<Failure>,
+    ) -> Box<Failure> {
+        const BESIDES: &[&str] = &["on [0, 1]", "at 1/2", "of degree 2"];
+        if failure.problem.code != Code::Arity {
+            return failure;
+        }
+        let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | '!');
+        let text = file.slice(whole).trim().trim_end_matches(ends);
+        let works = |more: &&&str| {
+            let file = SourceFile::new("<proposed>", format!("{text} {more}"));
+            let whole = Span::new(0, file.text().len());
+            let formula = self.spoken(&file, whole).ok().flatten();
+            formula.and_then(|formula| self.tried(formula)).is_some()
+        };
+        if let Some(more) = BESIDES.iter().find(works) {
+            failure.problem.hints.insert(0, format!("say more, for example: {text} {more}"));
+        }
+        failure
+    }
+
     /// What the text asks for with a word spelled as it may be meant, or without the words that nobody reads.
     fn without_words(&self, text: &str, found: &Words, misspelled: Option<&str>) -> Option<String> {
         let (first, last) = (found.unknown.first()?, found.unknown.last()?);
