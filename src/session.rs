@@ -11,11 +11,14 @@ mod counterexamples;
 mod data;
 mod foreign;
 mod given;
+mod habits;
 mod intervals;
 mod line;
+mod members;
 mod spelling;
 mod spoken;
 mod systems;
+mod units;
 mod unknown;
 
 use std::collections::BTreeSet;
@@ -29,7 +32,7 @@ use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
-use crate::language::lexicon::{signs, words};
+use crate::language::lexicon::{asking, signs, words};
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
@@ -95,8 +98,6 @@ pub struct Session {
     pub limits: Limits,
     /// How answers are arranged.
     pub arrangement: Arrangement,
-    /// What the line is about that is being read, for words such as "its".
-    about: Option<Expr>,
 }
 
 impl Session {
@@ -154,10 +155,17 @@ impl Session {
             Ok(answers) => return Ok(answers),
             Err(failure) => failure,
         };
-        match self.run_line(file, whole, equals)? {
-            Some(answers) => Ok(answers),
-            None => Err(failure),
-        }
+        let failure = match self.run_line(file, whole, equals) {
+            Ok(Some(answers)) => return Ok(answers),
+            Ok(None) => failure,
+            Err(failure) => failure,
+        };
+        // Given b0 = 1, b1 = 3, b2 = 1, find the point at t = 1/2: the definitions are data of a request.
+        let Ok(Some(formula)) = self.spoken(file, whole) else { return Err(failure) };
+        let note = read_as(&formula, whole);
+        let mut answer = self.evaluated(file, formula, equals, false).map_err(|_| failure)?;
+        answer.outcome.notes.insert(0, note);
+        Ok(vec![answer])
     }
 
     /// Runs a part of a file as a formula, a request or a sentence.
@@ -202,6 +210,10 @@ impl Session {
             }
             return self.run_part(file, part, Equals::Claims);
         }
+        if let Some(claim) = asking::without_question_of_truth(file.slice(whole)) {
+            let part = Span::new(whole.start, whole.start + claim.len());
+            return self.run_part(file, part, Equals::Claims);
+        }
         if let Some(answers) = self.run_clause(file, whole, equals)? {
             return Ok(answers);
         }
@@ -231,9 +243,11 @@ impl Session {
             Some(formula) => Some(formula),
             None => self.spoken(file, whole)?,
         };
-        if let Some(formula) = formula {
+        if let Some(formula) = formula.or_else(|| self.called_in_words(file, whole)) {
             let read = read_as(&formula, whole);
-            let mut answer = self.evaluated(file, formula, equals, false)?;
+            let mut answer = self
+                .evaluated(file, formula, equals, false)
+                .map_err(|failure| self.with_what_is_missing(file, whole, failure))?;
             answer.outcome.notes.insert(0, read);
             answer.outcome.fails =
                 matches!(&answer.outcome.value, Value::Derivation(shown) if shows_negative_value(shown));
@@ -283,13 +297,21 @@ impl Session {
         latex: bool,
     ) -> Result<Answer, Box<Failure>> {
         let span = statement.span;
-        if let Some(problem) = spelling::set_of_numbers(&statement, &|name| defines(&self.env, name)) {
+        let (with_arguments, remark) = self.with_members_called(statement);
+        statement = with_arguments;
+        let known = |name: &str| defines(&self.env, name);
+        if let Some(problem) =
+            spelling::set_of_numbers(&statement, &known).or_else(|| spelling::degree_last(&statement, &known))
+        {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);
                 spelling::remarks(&statement, file, &mut outcome.notes);
+                let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
+                spelling::differences(&statement, &function, &mut outcome.notes);
+                outcome.notes.extend(remark);
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.
@@ -371,41 +393,6 @@ impl Session {
             .at(span)
             .hint(hint),
         );
-    }
-
-    /// Runs all statements of a file, one after the other, calling `each` after every one.
-    /// `each` says whether to go on.
-    pub fn run_file(
-        &mut self,
-        file: &SourceFile,
-        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
-    ) {
-        let spans = match syntax::statements(file.text()) {
-            Ok(spans) => spans,
-            Err(problem) => {
-                each(self, Err(Box::new(Failure { problem, file: file.clone() })));
-                return;
-            }
-        };
-        for span in spans {
-            if !self.run_span(file, span, &mut each) {
-                return;
-            }
-        }
-    }
-
-    /// Runs the statement at `span`, calling `each` after it, or after each of the definitions that it
-    /// is; false as soon as `each` says not to go on.
-    pub fn run_span(
-        &mut self,
-        file: &SourceFile,
-        span: Span,
-        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
-    ) -> bool {
-        match self.run_advised(file, span, Equals::DefinesUnbound) {
-            Ok(answers) => answers.into_iter().all(|answer| each(self, Ok(answer))),
-            Err(failure) => each(self, Err(failure)),
-        }
     }
 }
 

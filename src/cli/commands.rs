@@ -311,7 +311,7 @@ pub(super) fn run_all(session: &mut Session, output: &Output, file: &SourceFile,
     let mut printer = Printer::new(output, file, stop);
     match syntax::statements(file.text()) {
         Ok(spans) => {
-            for span in spans {
+            for span in session.units(file, spans) {
                 if !printer.run(session, span) {
                     break;
                 }

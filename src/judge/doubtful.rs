@@ -58,6 +58,19 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
             }
         }
     }
+    // [0,1,2] 1/x
+    if let Kind::Div(above, below, Quotient::Slash) = &expr.kind
+        && let (Kind::Mul(factors), Kind::Name(_)) = (&above.kind, &below.kind)
+        && let [Expr { kind: Kind::List(items), .. }, Expr { kind: Kind::Number(_), .. }] = factors.as_slice()
+        && items.len() > 1
+        && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
+    {
+        notes.push(
+            Diagnostic::note(Code::AmbiguousProduct, "the list is read as a factor of what follows it")
+                .hint("a divided difference is written F[0, 1, 2] for a function F")
+                .at(expr.span),
+        );
+    }
     // \sum_k 2k + 3k
     if let (Kind::Add(terms), true) = (&expr.kind, latex) {
         for (at, term) in terms.iter().enumerate() {

@@ -35,6 +35,8 @@ struct Words {
     count: usize,
     /// What stands between them.
     pieces: Vec<Span>,
+    /// Those of the pieces that no word says to be a parameter, an interval or the like.
+    objects: Vec<Span>,
 }
 
 impl Session {
@@ -55,17 +57,47 @@ impl Session {
         let text = file.slice(whole);
         let found = self.words_of(text);
         let asked = text.trim_end().ends_with(['?', '？']) && !found.unknown.is_empty();
-        if found.count < 2 && !asked
-            || found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none()
-        {
+        let named = !(found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none());
+        // sum of k^2
+        if found.count < 2 && !asked || !named && topics::advice(&small_words(text).join(" ")).is_empty() {
             return failure;
         }
         // derivative is a function, which its letters are multiplied with
         if failure.problem.code == Code::Type && !found.pieces.is_empty() {
             return failure;
         }
+        if found.unknown.is_empty()
+            && let Some(problem) = self.broken_piece(file, whole, &found)
+        {
+            return Box::new(Failure { problem, file: file.clone() });
+        }
         let problem = self.advice_for(file, whole, &found);
         Box::new(Failure { problem, file: file.clone() })
+    }
+
+    /// What is wrong with a formula between words that are all known: t^3 + on [0, 1].
+    fn broken_piece(&self, file: &SourceFile, whole: Span, found: &Words) -> Option<Diagnostic> {
+        let incomplete =
+            |problem: &Diagnostic| matches!(problem.code, Code::UnexpectedEnd | Code::Unbalanced);
+        let text = file.slice(whole);
+        // B-spline
+        let hyphen = |piece: &&Span| {
+            let mut signs = text.piece(piece.range()).chars().rev();
+            signs.next() == Some('-') && signs.next().is_none_or(char::is_alphabetic)
+        };
+        let balance = |signs: [char; 3]| text.matches(signs).count();
+        if balance(['(', '[', '{']) != balance([')', ']', '}']) {
+            return None;
+        }
+        found
+            .pieces
+            .iter()
+            .filter(|piece| !hyphen(piece) && !text.piece(piece.range()).ends_with('='))
+            .find_map(|piece| {
+                let read =
+                    guarded(&self.limits, || read_in(&self.env, file, Some(piece.shifted(whole.start))));
+                read.err().filter(incomplete)
+            })
     }
 
     fn advice_for(&self, file: &SourceFile, whole: Span, found: &Words) -> Diagnostic {
@@ -80,15 +112,21 @@ impl Session {
                 .at(whole)
                 .reason("not understood"),
         };
-        let lower = text.to_lowercase();
-        let small: Vec<&str> =
-            lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        let small = small_words(text);
         let misspelled = found.unknown.iter().find_map(|span| {
             let word = text.piece(span.range()).to_lowercase();
-            let next = small.iter().skip_while(|other| **other != word).nth(1).copied().unwrap_or_default();
+            let next = small.iter().skip_while(|other| **other != word).nth(1).map_or("", String::as_str);
             phrases::misspelled(&word, next)
         });
         let about = topics::advice(&small.join(" "));
+        let without = self.without_words(text, found, misspelled);
+        let read_without = without.is_some();
+        if let Some(hint) = without {
+            problem = problem.hint(hint);
+            if about.is_empty() {
+                return problem;
+            }
+        }
         if let Some(meant) = misspelled.filter(|_| about.is_empty()) {
             problem = problem.hint(format!("did you mean '{}'?", meant.trim_end_matches('~')));
         }
@@ -100,15 +138,18 @@ impl Session {
         // Each with whether it is made of what stands there.
         let mut proposed: Vec<(bool, String)> = Vec::new();
         let mut said: Vec<&str> = Vec::new();
-        let items: Vec<Expr> = found.pieces.iter().filter_map(|piece| self.piece(file, at(*piece))).collect();
+        let read = |piece: &Span| self.piece(file, at(*piece));
+        let pieces: Vec<Expr> = found.pieces.iter().filter_map(read).collect();
+        let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
                 Advice::Write(query) => proposed.push((false, query.to_owned())),
-                Advice::Equations(query) => proposed.push(match self.system(&items) {
+                Advice::Equations(query) => proposed.push(match self.system(&pieces) {
                     Some(query) => (true, query),
                     None => (false, query.to_owned()),
                 }),
+                Advice::Function(_) if read_without => {}
                 Advice::Function(name) => proposed.extend(self.example(name, &items)),
                 Advice::Say(advice) => said.push(advice),
             }
@@ -116,8 +157,11 @@ impl Session {
         // The control points of a B-spline are those of a B-spline.
         let mut functions = found.functions.clone();
         functions.sort_by_key(|name| matches!(*name, "control_points" | "bezier_points" | "coefficients"));
-        let own: Vec<(bool, String)> =
-            functions.iter().filter_map(|name| self.example(name, &items)).collect();
+        let own: Vec<(bool, String)> = functions
+            .iter()
+            .filter(|_| !read_without)
+            .filter_map(|name| self.example(name, &items))
+            .collect();
         if proposed.is_empty() && own.is_empty() && said.is_empty() {
             proposed.extend(found.likely.and_then(|name| self.example(name, &items)));
         }
@@ -139,6 +183,64 @@ impl Session {
             ),
             false => problem,
         }
+    }
+
+    /// A failure for want of an argument, with what may be said besides: maximum of t^2 — on [0, 1].
+    pub(super) fn with_what_is_missing(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        mut failure: Box<Failure>,
+    ) -> Box<Failure> {
+        const BESIDES: &[&str] = &["on [0, 1]", "at 1/2", "of degree 2"];
+        if failure.problem.code != Code::Arity {
+            return failure;
+        }
+        let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | '!');
+        let text = file.slice(whole).trim().trim_end_matches(ends);
+        let works = |more: &&&str| {
+            let file = SourceFile::new("<proposed>", format!("{text} {more}"));
+            let whole = Span::new(0, file.text().len());
+            let formula = self.spoken(&file, whole).ok().flatten();
+            formula.and_then(|formula| self.tried(formula)).is_some()
+        };
+        if let Some(more) = BESIDES.iter().find(works) {
+            failure.problem.hints.insert(0, format!("say more, for example: {text} {more}"));
+        }
+        failure
+    }
+
+    /// What the text asks for with a word spelled as it may be meant, or without the words that nobody reads.
+    fn without_words(&self, text: &str, found: &Words, misspelled: Option<&str>) -> Option<String> {
+        let (first, last) = (found.unknown.first()?, found.unknown.last()?);
+        let written = |text: String| {
+            let file = SourceFile::new("<proposed>", text);
+            let whole = Span::new(0, file.text().len());
+            let formula = self.spoken(&file, whole).ok()??;
+            self.tried(formula)
+        };
+        if let (Some(meant), true) = (misspelled, first == last) {
+            let meant = meant.trim_end_matches('~');
+            let start = text.piece(..first.start);
+            // Two words are proposed for the first of them.
+            let word = meant.split(' ').next().unwrap_or(meant);
+            let corrected = format!("{start}{word}{}", text.piece(first.end..));
+            if let Some(query) = written(corrected) {
+                return Some(format!("did you mean '{meant}'? write {query}"));
+            }
+            return None;
+        }
+        // One word, or words side by side.
+        let between = |pair: &[Span]| text.piece(pair[0].end..pair[1].start).trim().is_empty();
+        if !found.unknown.windows(2).all(between) {
+            return None;
+        }
+        let mut masked = text.as_bytes().to_vec();
+        found.unknown.iter().for_each(|span| masked[span.range()].fill(b' '));
+        let query = written(String::from_utf8(masked).ok()?)?;
+        let words: Vec<String> =
+            found.unknown.iter().map(|span| format!("'{}'", text.piece(span.range()))).collect();
+        Some(format!("without {} it is {query}", words.join(" and ")))
     }
 
     /// A formula or a list that stands between words.
@@ -196,7 +298,8 @@ impl Session {
         let mut at = 0;
         let mut before = ' ';
         let mut depth = 0_usize;
-        let end_piece = |found: &mut Words, from: usize, to: usize| {
+        let mut labelled = false;
+        let end_piece = |found: &mut Words, from: usize, to: usize, labelled: bool| {
             let piece = text.piece(from..to);
             let separates = |c: char| {
                 c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '。' | '：')
@@ -205,7 +308,9 @@ impl Session {
             let from = from + (piece.len() - inner.len());
             let inner = inner.trim_end_matches(separates);
             if !inner.is_empty() {
-                found.pieces.push(Span::new(from, from + inner.len()));
+                let span = Span::new(from, from + inner.len());
+                found.pieces.push(span);
+                found.objects.extend(Some(span).filter(|_| !labelled));
             }
         };
         while let Some(c) = text.piece(at..).chars().next() {
@@ -222,12 +327,17 @@ impl Session {
             let word = self.word_at(text, at, before, depth);
             match word {
                 Some((length, meant)) => {
-                    end_piece(&mut found, start, at);
+                    end_piece(&mut found, start, at, labelled);
+                    labelled = match meant {
+                        Meant::Label => true,
+                        Meant::Known => labelled && text.piece(start..at).trim().is_empty(),
+                        _ => false,
+                    };
                     found.count += text.piece(at..at + length).split_whitespace().count();
                     match meant {
                         Meant::Function(function) => found.functions.push(function),
                         Meant::Likely(function) => found.likely = found.likely.max(Some(function)),
-                        Meant::Known => {}
+                        Meant::Known | Meant::Label => {}
                         Meant::Unknown => found.unknown.push(Span::new(at, at + length)),
                     }
                     at += length;
@@ -241,7 +351,7 @@ impl Session {
                 }
             }
         }
-        end_piece(&mut found, start, text.len());
+        end_piece(&mut found, start, text.len(), labelled);
         found
     }
 
@@ -279,6 +389,9 @@ impl Session {
                     Meant::Likely("bezier")
                 }
                 Phrase::Label(Label::Knots) => Meant::Likely("bspline"),
+                Phrase::Label(_) => Meant::Label,
+                Phrase::Multiaffine => Meant::Likely("laws"),
+                Phrase::Which => Meant::Likely("solve"),
                 _ => Meant::Known,
             };
             return Some((own, meant));
@@ -309,6 +422,12 @@ impl Session {
     }
 }
 
+/// The words of a text in small letters.
+fn small_words(text: &str) -> Vec<String> {
+    let lower = text.to_lowercase();
+    lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
+
 /// The steps for a query that is only proposed.
 const TRIED_STEPS: u64 = 200_000;
 
@@ -318,6 +437,8 @@ enum Meant {
     Likely(&'static str),
     /// A word that says something elsewhere.
     Known,
+    /// A word behind which a parameter, an interval or the like stands.
+    Label,
     Unknown,
 }
 

@@ -9,8 +9,9 @@ mod templates;
 use self::ranges::{big_operator, list_maker, listed, over_ranges};
 use self::spellings::{called_elsewhere, derivatives};
 use self::templates::is_called_elsewhere;
-use crate::formula::{Expr, Kind, Rel, applied, named};
-use crate::language::functions::function_meant;
+use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
+use crate::language::functions::{Need, Takes, builtin, function_called, function_meant};
+use crate::language::lexicon::roles;
 
 pub(super) use points::with_scalar_products;
 
@@ -53,6 +54,38 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
         expr.kind = Kind::Apply(base.clone(), vec![arguments.clone()]);
     }
     expr.for_each_child_mut(&mut |child| rewrite(child, known));
+    // bezier({0, 1, 3}, 0, 1)
+    if let Kind::Apply(callee, groups) = &mut expr.kind
+        && let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_mut_slice())
+        && !known(name)
+        && let Some(own) = function_called(name).and_then(builtin)
+    {
+        for (argument, parameter) in arguments.iter_mut().zip(own.parameters) {
+            let lists = matches!(parameter.kind, Takes::Points | Takes::Scalars | Takes::Net | Takes::Rows);
+            if lists && matches!(argument.kind, Kind::Set(_, None)) {
+                *argument = as_list(argument.clone());
+            }
+        }
+    }
+    // D(f)(2/3)
+    if let Kind::Apply(callee, groups) = &expr.kind
+        && let (Kind::Name(d), Some([Expr { kind: Kind::Name(f), .. }])) =
+            (&callee.kind, groups.first().map(Vec::as_slice))
+        && d == "D"
+        && known(f)
+        && !known(d)
+    {
+        let derivative = call("derivative", groups[0].clone(), callee.span);
+        expr.kind = match groups.split_first() {
+            Some((_, [])) | None => derivative.kind,
+            Some((_, rest)) => Kind::Apply(Box::new(derivative), rest.to_vec()),
+        };
+        return;
+    }
+    if let Some(kind) = with_range(expr, known) {
+        expr.kind = kind;
+        return;
+    }
     if let Some(kind) = called_elsewhere(expr, known) {
         expr.kind = kind;
         return;
@@ -151,6 +184,44 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
         return;
     }
     expr.kind = applied(callee(function), own, expr.span).kind;
+}
+
+/// A call whose range or parameter goes by the name of a letter: integrate(F, t=0..1), subdivide(c, t=1/2).
+fn with_range(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
+    let Kind::Apply(callee, groups) = &expr.kind else { return None };
+    let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
+    let own = function_meant(name).filter(|_| !known(name)).and_then(builtin)?;
+    let [first, rest @ ..] = arguments.as_slice() else { return None };
+    let has = |name: &str| own.parameters.iter().any(|parameter| parameter.name == name);
+    let [argument] = rest else { return None };
+    let Kind::Chain(letter, links) = &argument.kind else { return None };
+    let (Kind::Name(letter), [Link { rel: Rel::Eq, expr: value, .. }]) = (&letter.kind, links.as_slice())
+    else {
+        return None;
+    };
+    // Of surfaces the parameters have names.
+    let elsewhere = own.other_forms().any(|(_, others)| others.iter().any(|other| other.name == letter));
+    if has(letter) || elsewhere || !roles::is_variable(letter) {
+        return None;
+    }
+    let written = |arguments: Vec<Expr>| {
+        Some(Kind::Apply(callee.clone(), vec![std::iter::once(first.clone()).chain(arguments).collect()]))
+    };
+    match &value.kind {
+        Kind::Range(a, b) if has("a") && has("b") => {
+            let name = Expr { span: argument.span, ..Expr::name(letter) };
+            let variable = has("variable").then(|| named("variable", name));
+            let ends = [named("a", (**a).clone()), named("b", (**b).clone())];
+            written(variable.into_iter().chain(ends).collect())
+        }
+        Kind::Range(..) => None,
+        _ => {
+            let second = own.parameters.get(1)?;
+            let parameter = matches!(second.need, Need::Many(..)) || second.need == Need::Required;
+            let number = matches!(second.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList);
+            (parameter && number).then(|| written(vec![value.clone()]))?
+        }
+    }
 }
 
 /// Sets as lists: {{0, 1}, {1, 3}}.

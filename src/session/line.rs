@@ -47,7 +47,6 @@ impl Session {
         }
         let mut there = self.clone();
         let ran = there.run_pieces(file, whole, &line, equals);
-        there.about = None;
         match ran {
             Ok(answers) => {
                 self.env = there.env;
@@ -107,9 +106,8 @@ impl Session {
         }
         let definitions = in_order(first_cases_first(std::mem::take(&mut taken.definitions)));
         let functions: Vec<Expr> = definitions.iter().filter_map(|one| function_of(&one.statement)).collect();
-        if !functions.is_empty() {
-            self.about = functions.first().filter(|_| functions.len() == 1).cloned();
-        }
+        // What words such as "its" mean.
+        let topic = functions.first().filter(|_| functions.len() == 1);
         for one in definitions {
             answers.push(self.evaluated(file, one.statement, Equals::DefinesUnbound, false)?);
         }
@@ -132,10 +130,12 @@ impl Session {
                 .filter(|_| behind.clone().all(|other| matches!(other.role, Role::Condition { .. })));
             if let Some(rest) = last.map(|last| piece.span.to(last.span)).filter(|rest| *rest != piece.span)
                 && !conditions.is_empty()
+                // Those before it would be lost: for which k is …
+                && conditions.iter().all(|(condition, _)| condition.start > piece.span.start)
                 && rest.len() < file.slice(whole).trim().len()
             {
                 let mut there = self.clone();
-                if let Ok(found) = there.run_part(file, rest, claims_here) {
+                if let Ok(found) = there.run_about(file, rest, claims_here, topic) {
                     self.env = there.env;
                     answers.extend(found);
                     continue;
@@ -156,7 +156,7 @@ impl Session {
                 }
             };
             match said {
-                None => answers.extend(self.run_part(file, piece.span, claims_here)?),
+                None => answers.extend(self.run_about(file, piece.span, claims_here, topic)?),
                 Some(Some(found)) => answers.extend(found),
                 Some(None) => {
                     let problem = Diagnostic::error(Code::Usage, "these conditions are not read here")
@@ -170,6 +170,23 @@ impl Session {
             first.outcome.notes.splice(0..0, taken.notes);
         }
         Ok(answers)
+    }
+
+    /// Runs a part in which a word such as "its" may stand for the topic of the line.
+    fn run_about(
+        &mut self,
+        file: &SourceFile,
+        span: Span,
+        equals: Equals,
+        topic: Option<&Expr>,
+    ) -> Result<Vec<Answer>, Box<Failure>> {
+        let Some((formula, true)) = self.spoken_about(file, span, topic)? else {
+            return self.run_part(file, span, equals);
+        };
+        let note = read_as(&formula, span);
+        let mut answer = self.evaluated(file, formula, equals, false)?;
+        answer.outcome.notes.insert(0, note);
+        Ok(vec![answer])
     }
 
     /// The equations of conditions, to be solved for a name that is asked for and has no value: x + a = 0, find a.
@@ -188,6 +205,14 @@ impl Session {
         let mut machine = evaluator::machine_in(&self.env);
         let symbol = name_of(&name, &mut machine).filter(|symbol| self.env.get(symbol).is_none())?;
         if equations.is_empty() || !equations.iter().all(is_equation) {
+            return None;
+        }
+        // f[0, 1] for f = x^2: f is given
+        let given = |equation: &Expr| {
+            matches!(&equation.kind, Kind::Chain(left, _)
+                if matches!(&left.kind, Kind::Name(name) if !symbol.is_plain() && *name == symbol.base()))
+        };
+        if equations.iter().any(given) {
             return None;
         }
         // The names in what the equations say, also through sums and values of functions.

@@ -35,6 +35,54 @@ pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> 
     }
 }
 
+/// Refuses a Bernstein polynomial whose number is larger than its degree: the degree goes before the number here.
+pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
+    if let Kind::Apply(callee, groups) = &statement.kind
+        && let (Kind::Name(name), Some([degree, number, rest @ ..])) =
+            (&callee.kind, groups.first().map(Vec::as_slice))
+        && name == "bernstein"
+        && !known(name)
+        && let (Some(n), Some(i)) = (degree.as_int(), number.as_int())
+        && i > n
+    {
+        let rest: String = rest.iter().map(|item| format!(", {}", write::text(item))).collect();
+        let problem = Diagnostic::error(Code::Domain, format!("the degree is {n} here, and the number {i}"))
+            .at(degree.span.to(number.span))
+            .reason("the degree goes first")
+            .hint(format!("write bernstein({i}, {n}{rest}) for the degree {i}"))
+            .hint(format!("B_i^n with i > n is 0: B_{i}^{n}(t)"));
+        return Some(problem);
+    }
+    let mut found = None;
+    statement.for_each_child(&mut |child| {
+        if found.is_none() {
+            found = degree_last(child, known);
+        }
+    });
+    if let (None, Kind::Apply(_, groups)) = (&found, &statement.kind) {
+        found = groups.iter().flatten().find_map(|argument| degree_last(argument, known));
+    }
+    found
+}
+
+/// Tells that b[0, 1/2, 1] is a divided difference where b is a function that may be a curve, whose polar values some write so.
+pub(super) fn differences(statement: &Expr, is_function: &dyn Fn(&str) -> bool, notes: &mut Vec<Diagnostic>) {
+    if let Kind::Subscript(base, index) = &statement.kind
+        && let (Kind::Name(name), [Expr { kind: Kind::List(nodes), .. }]) = (&base.kind, index.as_slice())
+        && nodes.len() > 1
+        && matches!(name.as_str(), "b" | "c" | "d" | "p")
+        && is_function(name)
+    {
+        let nodes: Vec<String> = nodes.iter().map(write::text).collect();
+        notes.push(
+            Diagnostic::note(Code::StandardMeaning, "read as a divided difference")
+                .at(statement.span)
+                .hint(format!("write polar({name})({}) for the polar value", nodes.join(", "))),
+        );
+    }
+    statement.for_each_child(&mut |child| differences(child, is_function, notes));
+}
+
 /// Adds the remarks on a statement that was read from a file.
 pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
     if let Some(note) = of_part(statement, file)

@@ -7,24 +7,32 @@ mod apposition;
 mod draft;
 mod lists;
 mod notations;
+mod objects;
+mod taking;
+mod utterance;
 mod values;
 
 use self::draft::Draft;
-use self::values::{Values, value_of};
+use self::utterance::Utterance;
+use self::values::{Nature, Values, value_of};
+use std::cell::Cell;
+
 use super::foreign::as_list;
+use super::given::each_equal;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
-use crate::language::functions::{Takes, builtin, function_called};
-use crate::language::lexicon::phrases::Label;
+use crate::language::functions::{Takes, builtin, function_in_words};
+use crate::language::lexicon::phrases::{Label, Place};
 use crate::language::lexicon::roles;
-use crate::language::syntax::{self, Asked, Call, Request, Said, Total, What};
+use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
 
 /// Something that a label says, read.
+#[derive(Clone)]
 struct Read {
     label: Label,
     items: Vec<Expr>,
@@ -33,12 +41,23 @@ struct Read {
 impl Session {
     /// The formula that a request in words stands for; `None` if it is none, or says what no function takes.
     pub(super) fn spoken(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
+        self.spoken_about(file, whole, None).map(|found| found.map(|(formula, _)| formula))
+    }
+
+    /// The same, where a name is known that all is about: F(t) = t^2, what is its derivative? Tells whether it was needed.
+    pub(super) fn spoken_about(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        topic: Option<&Expr>,
+    ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
         let known = |word: &str| defines(&self.env, word);
-        let Some(asked) = syntax::request(file.slice(whole), &known, &function_called) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words) else {
             return Ok(None);
         };
-        let reader = Reader { session: self, file, start: whole.start };
-        reader.formula(asked)
+        let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
+        let formula = reader.formula(asked)?;
+        Ok(formula.map(|formula| (formula, reader.used_topic.get())))
     }
 }
 
@@ -52,14 +71,96 @@ struct Reader<'a> {
     session: &'a Session,
     file: &'a SourceFile,
     start: usize,
+    /// What the line is about, for words such as "its".
+    topic: Option<&'a Expr>,
+    used_topic: Cell<bool>,
 }
 
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
         // u v is a product here, no list.
-        let mut claimed = equals.map(|span| self.one(span)).transpose()?;
-        let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
-        let mut through = None;
+        let claimed = equals.map(|span| self.one(span)).transpose()?;
+        let Some(mut asked) = self.collected(request)? else { return Ok(None) };
+        if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
+            return Ok(Some(laws));
+        }
+        apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
+        asked.settle();
+        apposition::has_rows(&asked.drafts, &asked.items).map_err(|problem| self.fail(problem))?;
+        if let Some(whole) = asked.whole() {
+            return Ok(Some(whole));
+        }
+        asked.put_into_notations();
+        if asked.formula.is_none() {
+            // compute 3 + 4
+            if asked.drafts.is_empty() {
+                return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
+                    ([one], []) => Some(match claimed {
+                        Some(right) => equation(one.clone(), right),
+                        None => one.clone(),
+                    }),
+                    ([one], [read]) => self.value_at(one, read).or_else(|| {
+                        self.values_at(one, std::slice::from_ref(read)).filter(|_| read.label == Label::At)
+                    }),
+                    // t^2 at 2 and at 3
+                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => {
+                        self.values_at(one, reads)
+                    }
+                    _ => None,
+                });
+            }
+            if let [innermost] = asked.drafts.as_slice()
+                && let Some((meant, used)) =
+                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env)
+            {
+                asked.said.drain(..used);
+                asked.formula = Some(meant);
+                asked.drafts.clear();
+                return self.assembled(asked, claimed);
+            }
+        }
+        apposition::letters_of_polar(&asked.drafts, &mut asked.said);
+        self.find_subject(&mut asked);
+        if let Some(difference) = self.divided_difference(&asked) {
+            return Ok(Some(difference));
+        }
+        self.name_variables(&mut asked);
+        if !asked.apply_innermost() {
+            return Ok(None);
+        }
+        let several = asked.said.iter().filter(|read| read.label == Label::OfDegree).count() > 1;
+        let copy = several.then(|| asked.clone());
+        let failure = match self.assembled(asked, claimed.clone()) {
+            Err(failure) => failure,
+            assembled => return assembled,
+        };
+        match copy.and_then(|copy| self.for_each_degree(&copy)) {
+            Some(all) if claimed.is_none() => Ok(Some(all)),
+            _ => Err(failure),
+        }
+    }
+
+    /// A result for each of several degrees: the Bernstein coefficients of t^2 for degree 2 and degree 3.
+    fn for_each_degree(&self, asked: &Utterance) -> Option<Expr> {
+        let is_degree = |read: &Read| read.label == Label::OfDegree;
+        let (degrees, others): (Vec<Read>, Vec<Read>) = asked.said.iter().cloned().partition(is_degree);
+        let mut asked = asked.clone();
+        // Of a list each item is arranged as usual, so the coefficients are wanted.
+        if let [Draft { builtin: own, .. }] = asked.drafts.as_mut_slice()
+            && own.name == "in_bernstein"
+        {
+            *own = builtin("bezier_points")?;
+        }
+        let of_one = |degree: Read| {
+            let said = others.iter().cloned().chain([degree]).collect();
+            self.assembled(Utterance { said, ..asked.clone() }, None).ok().flatten()
+        };
+        degrees.into_iter().map(of_one).collect::<Option<Vec<_>>>().map(draft::list)
+    }
+
+    /// What a request says, read: its functions from the outermost to the innermost, their object and what is said besides.
+    fn collected(&self, request: Request) -> Result<Option<Utterance>, Box<Failure>> {
+        let mut asked = Utterance::default();
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
             let (labels, phrase) = match *request {
@@ -72,18 +173,29 @@ impl Reader<'_> {
                         Some(What::Degree(number)) => Some(Expr { span: phrase, ..Expr::int(number) }),
                         _ => None,
                     };
-                    drafts.push(draft);
+                    draft.take_words(&self.file.slice(phrase).to_lowercase());
+                    asked.drafts.push(draft);
                     rest = subject;
                     (labels, phrase)
                 }
                 Request::Formula(spans, labels) => {
                     for span in spans {
-                        items.extend(self.items(span)?);
+                        asked.items.extend(self.items(span)?);
                     }
                     (labels, Span::default())
                 }
+                Request::Curves(curves) => {
+                    let Some(curves) = self.curves(curves)? else { return Ok(None) };
+                    asked.items.extend(curves);
+                    (Vec::new(), Span::default())
+                }
+                Request::Joined(op, spans) => {
+                    let Some(joined) = self.joined(op, spans)? else { return Ok(None) };
+                    asked.items.push(joined);
+                    (Vec::new(), Span::default())
+                }
                 Request::Total(total) => {
-                    items.push(self.total(&total)?);
+                    asked.items.push(self.total(&total)?);
                     (Vec::new(), Span::default())
                 }
             };
@@ -91,202 +203,76 @@ impl Reader<'_> {
                 let items = match what {
                     What::Formula(span) => self.items(span)?,
                     What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
+                    What::Place(place) => {
+                        asked.places.push(place);
+                        continue;
+                    }
+                    What::Flag(name, value) => {
+                        asked.flags.push((name, Expr { span: phrase, ..Expr::int(value) }));
+                        continue;
+                    }
                     What::Basis(function) => match basis_of(function) {
                         Some(basis) => vec![Expr { span: phrase, ..Expr::name(basis) }],
                         None => return Ok(None),
                     },
                 };
-                // in t = 1
-                let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
-                let label = match label {
-                    Label::In if values => Label::At,
-                    // the parabola through (0, 1), (1, 3), (2, 11)
-                    Label::Through if draft::is_points(&items) && drafts.is_empty() => Label::Through,
-                    Label::Through => {
-                        through = items.first().map(|item| item.span);
-                        Label::With
-                    }
-                    label => label,
-                };
-                said.push(Read { label, items });
+                asked.hear(label, items);
             }
         }
-        apposition::meets_points(&drafts, through)
-            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))?;
-        if drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
-            lists::gather(&mut items, &mut said);
+        // the left half of 0, 2, 6
+        let half = |draft: &Draft| {
+            let phrase = self.file.slice(draft.phrase).to_lowercase();
+            draft.part.is_some()
+                && ["half", "hälfte", "moitié", "mitad", "metà"].iter().any(|own| phrase.contains(own))
+        };
+        if asked.drafts.iter().any(half) && !asked.has_place() {
+            asked.places.push(Place::Middle);
         }
-        // the maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3
-        if let [Draft { builtin: of, .. }] = drafts.as_mut_slice()
-            && matches!(of.name, "max" | "min" | "maximum" | "minimum")
+        Ok(Some(asked))
+    }
+
+    /// Finds what the innermost function is about, if no formula stands behind it.
+    fn find_subject(&self, asked: &mut Utterance) {
+        let (None, Some(innermost)) = (&asked.formula, asked.drafts.first_mut()) else { return };
+        if asked.items.is_empty() {
+            asked.items = innermost.subject_among(&mut asked.said);
+        }
+        // F(t) = t^2, what is its derivative?
+        if asked.items.is_empty()
+            && innermost.placed.is_empty()
+            && let Some(name) = self.topic
         {
-            for read in &mut said {
-                if let (Label::At, [Expr { kind: Kind::List(_), .. }]) = (read.label, read.items.as_slice()) {
-                    read.label = Label::Over;
-                }
-            }
-            let over = said
-                .iter()
-                .any(|read| matches!(read.label, Label::Over | Label::In | Label::With | Label::From));
-            let meant = match (of.name, items.len() == 1 && over) {
-                ("max", true) => builtin("maximum"),
-                ("min", true) => builtin("minimum"),
-                ("maximum", false) if items.len() > 1 => builtin("max"),
-                ("minimum", false) if items.len() > 1 => builtin("min"),
-                _ => None,
-            };
-            *of = meant.unwrap_or(of);
+            self.used_topic.set(true);
+            asked.items.push(Expr { span: innermost.phrase, ..name.clone() });
         }
-        // From the inside out.
-        drafts.reverse();
-        // the control points of the Bézier curve t^2
-        if let ([Draft { builtin: curve, .. }, Draft { builtin: points, .. }, ..], [formula]) =
-            (drafts.as_slice(), items.as_slice())
-            && (curve.name, points.name) == ("bezier", "control_points")
-            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        if innermost.wants_curve(&asked.items)
+            && let Some(bezier) = builtin("bezier")
         {
-            drafts.remove(0);
+            let phrase = innermost.phrase;
+            asked.drafts.insert(0, Draft::new(bezier, phrase));
         }
-        // insert knot 1: knots 0, 0, 2, 2, control points 3, 4
-        let knots = said.iter().any(|read| read.label == Label::Knots);
-        if let Some(Draft { builtin: first, phrase, .. }) = drafts.first()
-            && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
-            && let (true, Some(spline)) = (knots, builtin("bspline"))
-        {
-            drafts.insert(0, Draft::new(spline, *phrase));
-            drafts[1].placed = std::mem::take(&mut items);
-        }
-        if said.iter().any(|read| read.label == Label::Points)
-            && let Some(basis) = drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
-            && let Some(spline) = builtin("bspline")
-        {
-            basis.builtin = spline;
-        }
-        if let (
-            true,
-            true,
-            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
-        ) = (drafts.is_empty(), items.is_empty(), said.as_slice())
-            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
-            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
-        {
-            items.clone_from(points);
-            drafts.push(Draft::new(lagrange, items[0].span));
-            said.clear();
-        }
-        notations::exponents(&mut items, &mut said);
-        let points = said.iter().find(|read| read.label == Label::Points);
-        if let (true, true, Some(points)) = (drafts.is_empty(), items.is_empty(), points)
-            && let Some(curve) = builtin(if knots { "bspline" } else { "bezier" })
-        {
-            drafts.push(Draft::new(curve, points.items.first().map_or(Span::default(), |item| item.span)));
-        }
-        if let ([Draft { builtin, phrase, .. }], [matrix @ Expr { kind: Kind::Matrix(..), .. }], [read]) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "solve"
-            && let [item] = read.items.as_slice()
-            && let Some((_, right)) = eval::named(item)
-            && matches!(right.kind, Kind::Matrix(..) | Kind::List(_))
-        {
-            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
-        }
-        // solve [2, 1; 1, 3] x = [3; 5]
-        if let ([Draft { builtin, phrase, .. }], [Expr { kind: Kind::Chain(left, links), .. }], []) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "solve"
-            && let (Kind::Mul(factors), [Link { rel: Rel::Eq, expr: right, .. }]) =
-                (&left.kind, links.as_slice())
-            && let [matrix @ Expr { kind: Kind::Matrix(..), .. }, Expr { kind: Kind::Name(_), .. }] =
-                factors.as_slice()
-        {
-            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
-        }
-        apposition::curve_of_points(&mut drafts, &items, &said);
-        let mut formula: Option<Expr> = None;
-        if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
-            && builtin.name == "esym"
-            && let Some(called) = notations::symmetric(one)
-        {
-            return Ok(said.is_empty().then_some(called));
-        }
-        if let [one] = items.as_slice()
-            && let Some(read) = notations::with_values(one, &mut said)
-        {
-            // the B-spline N_{0,2}, the Lagrange polynomial L_1
-            let same =
-                |name: &str| name == read.function || name == "lagrange" && read.function == "lagrange_basis";
-            if drafts.first().is_some_and(|draft| same(draft.builtin.name)) {
-                drafts.remove(0);
-            }
-            formula = Some(read.formula);
-            items.clear();
-        } else if drafts.is_empty() {
-            // compute 3 + 4
-            return Ok(match (items.as_slice(), said.as_slice()) {
-                ([one], []) => Some(one.clone()),
-                ([one], [read]) => self.value_at(one, read),
-                _ => None,
-            });
-        }
-        if let (None, [innermost]) = (&formula, drafts.as_slice())
-            && let Some(meant) = apposition::meant(innermost, &items, &said, &self.session.env)
-        {
-            return Ok(match claimed {
-                Some(right) => Some(equation(meant, right)),
-                None => Some(meant),
-            });
-        }
-        apposition::letters_of_polar(&drafts, &mut said);
-        if let (None, Some(innermost)) = (&formula, drafts.first_mut()) {
-            if items.is_empty() {
-                items = innermost.subject_among(&mut said);
-            }
-            // F(t) = t^2, what is its derivative?
-            if items.is_empty() && innermost.placed.is_empty() {
-                items.extend(
-                    self.session.about.iter().map(|name| Expr { span: innermost.phrase, ..name.clone() }),
-                );
-            }
-            if innermost.wants_curve(&items)
-                && let Some(bezier) = builtin("bezier")
-            {
-                let phrase = innermost.phrase;
-                drafts.insert(0, Draft::new(bezier, phrase));
-            }
-        }
-        // the divided difference of x^3 at 1, 2, 4
-        if let ([Draft { builtin, .. }], [function], [read]) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "divided_differences"
-            && matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over)
-            && let Some(difference) = self.divided_difference(function, read)
-        {
-            return Ok(Some(difference));
-        }
-        // the tensor polar form of u^2 v
-        if let ([Draft { builtin, .. }], [of]) = (drafts.as_slice(), items.as_slice())
+    }
+
+    /// The letters of the tensor polar form of u^2 v.
+    fn name_variables(&self, asked: &mut Utterance) {
+        if let ([Draft { builtin, .. }], [of]) = (asked.drafts.as_slice(), asked.items.as_slice())
             && builtin.name == "polar_tensor"
             && let [u, v] = self.variables(of).as_slice()
         {
-            items.extend([u, v].map(|letter| Expr { span: items[0].span, ..symbol_expr(letter) }));
+            let span = of.span;
+            asked.items.extend([u, v].map(|letter| Expr { span, ..symbol_expr(letter) }));
         }
-        if let (None, Some(innermost)) = (&formula, drafts.first_mut())
-            && !innermost.is_about(items, &mut said)
-        {
-            return Ok(None);
-        }
-        if let Some(innermost) = drafts.first_mut() {
-            innermost.takes_coefficient(&mut said);
-            let of_variable = |read: &Read| {
-                let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
-                variable && matches!(read.label, Label::In | Label::To)
+    }
+
+    /// The calls, one in another, with what is said put where it belongs.
+    fn assembled(&self, asked: Utterance, mut claimed: Option<Expr>) -> Result<Option<Expr>, Box<Failure>> {
+        let Utterance { mut drafts, mut said, mut formula, flags, .. } = asked;
+        for (name, value) in flags {
+            let takes = |draft: &&mut Draft| {
+                draft.builtin.parameters.iter().any(|own| own.name == name && own.kind == Takes::Flag)
             };
-            if innermost.builtin.name == "derivative"
-                && said.iter().any(of_variable)
-                && let Some(of_formulas) = builtin("diff")
-            {
-                innermost.builtin = of_formulas;
-            }
+            let Some(draft) = drafts.iter_mut().find(takes) else { return Ok(None) };
+            draft.named.push((name, value));
         }
         // Whether there are weights is known after all the others.
         said.sort_by_key(|read| read.label == Label::Rational);
@@ -305,14 +291,13 @@ impl Reader<'_> {
         }
         let mut values = Values(after);
         let forms: Vec<String> = drafts.iter().map(|draft| draft.builtin.signature()).collect();
+        let number = |formula: &Expr| self.nature(formula);
         for draft in drafts {
             // What is solved has its values before: solve for a: f(1, 2) equals 3
             if draft.builtin.on_equations.is_some()
                 && let Some(left) = formula.take()
             {
-                let left = values
-                    .put_into(left, &|formula| self.is_number(formula))
-                    .map_err(|left| self.unused(&left, &forms))?;
+                let left = values.put_into(left, &number).map_err(|left| self.unused(&left, &forms))?;
                 formula =
                     Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
             }
@@ -321,47 +306,16 @@ impl Reader<'_> {
                 return Ok(None);
             }
         }
-        let formula = match formula {
-            Some(formula) => Some(
-                values
-                    .put_into(formula, &|formula| self.is_number(formula))
-                    .map_err(|left| self.unused(&left, &forms))?,
-            ),
-            None => None,
-        };
-        Ok(match (formula, claimed) {
-            (Some(left), Some(right)) => Some(equation(left, right)),
-            (formula, _) => formula,
-        })
+        let Some(formula) = formula else { return Ok(None) };
+        let formula = values.put_into(formula, &number).map_err(|left| self.unused(&left, &forms))?;
+        Ok(Some(match claimed {
+            Some(right) => equation(formula, right),
+            None => formula,
+        }))
     }
 
-    /// The sum or product that is asked for in words.
-    fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
-        let (range, body) = (self.one(total.range)?, self.one(total.body)?);
-        let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
-        if let (Some(index), Some(end)) = (total.index, total.end) {
-            let (name, end) = (self.one(index)?, self.one(end)?);
-            let lower = vec![Expr { span: name.span.to(range.span), ..Expr::relation(name, Rel::Eq, range) }];
-            let body = Box::new(one_term(body));
-            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(end)), body }, span));
-        }
-        let wrong = || {
-            let problem =
-                Diagnostic::error(Code::Usage, "a sum needs the first and the last value of its index")
-                    .at(range.span)
-                    .hint("write sum(k=1..4, k^2)");
-            Box::new(Failure { problem, file: self.file.clone() })
-        };
-        let Kind::Chain(name, links) = &range.kind else { return Err(wrong()) };
-        let [link] = links.as_slice() else { return Err(wrong()) };
-        let (from, to) = match (&link.expr.kind, total.end) {
-            (Kind::Range(from, to), None) => ((**from).clone(), (**to).clone()),
-            (_, Some(end)) => (link.expr.clone(), self.one(end)?),
-            _ => return Err(wrong()),
-        };
-        let lower = vec![Expr { span: range.span, ..Expr::relation((**name).clone(), Rel::Eq, from) }];
-        let body = Box::new(body.grouped());
-        Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(to)), body }, span))
+    fn fail(&self, problem: Diagnostic) -> Box<Failure> {
+        Box::new(Failure { problem, file: self.file.clone() })
     }
 
     /// A formula at what stands behind "at" or "for": a function called, or values put in for names.
@@ -372,7 +326,7 @@ impl Reader<'_> {
             return None;
         }
         if equations {
-            return value_of(formula, read, &|_| false);
+            return value_of(formula, read, &|_| Nature::Other);
         }
         let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims).ok()?;
         let span = formula.span;
@@ -396,10 +350,20 @@ impl Reader<'_> {
                 }
             },
             (Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_), _) => {
-                value_of(formula, read, &|_| false)
+                value_of(formula, read, &|_| Nature::Other)
             }
             _ => None,
         }
+    }
+
+    /// A formula at several places: t^2 at 1, 2 and 3.
+    fn values_at(&self, formula: &Expr, reads: &[Read]) -> Option<Expr> {
+        let items: Vec<&Expr> = reads.iter().flat_map(|read| &read.items).collect();
+        let decimal = items.windows(2).any(|pair| eval::is_decimal_comma(pair[0], pair[1]));
+        let at =
+            |item: &&Expr| self.value_at(formula, &Read { label: Label::At, items: vec![(*item).clone()] });
+        let found = items.iter().map(at).collect::<Option<Vec<_>>>()?;
+        (found.len() > 1 && !decimal).then(|| draft::list(found))
     }
 
     /// The symbols in the value of a formula.
@@ -410,8 +374,17 @@ impl Reader<'_> {
         }
     }
 
-    /// F[x_0, x_1, …] of a formula in one variable, or of a function.
-    fn divided_difference(&self, function: &Expr, read: &Read) -> Option<Expr> {
+    /// F[x_0, x_1, …] of a formula in one variable, or of a function: the divided difference of x^3 at 1, 2, 4.
+    fn divided_difference(&self, asked: &Utterance) -> Option<Expr> {
+        let ([Draft { builtin, .. }], [function], [read]) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return None;
+        };
+        let at = matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over);
+        if builtin.name != "divided_differences" || !at {
+            return None;
+        }
         let nodes = match read.items.as_slice() {
             [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
             nodes => nodes.to_vec(),
@@ -468,8 +441,8 @@ impl Reader<'_> {
         Err(Box::new(Failure { problem, file: self.file.clone() }))
     }
 
-    /// Whether a result is a number, which has no value at a parameter: the degree of t^3 at 2.
-    fn is_number(&self, formula: &Expr) -> bool {
+    /// What a result is, as to its values: the degree of t^3 has none at 2.
+    fn nature(&self, formula: &Expr) -> Nature {
         let function = match &formula.kind {
             Kind::Apply(callee, _) => match &callee.kind {
                 Kind::Name(name) => builtin(name),
@@ -477,11 +450,21 @@ impl Reader<'_> {
             },
             _ => None,
         };
-        if function.is_some_and(|function| function.gives_function) {
-            return false;
+        if function.is_some_and(|function| function.gives_function && function.name != "derivative") {
+            return Nature::Other;
         }
-        let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims);
-        outcome.is_ok_and(|outcome| outcome.value.as_rational().is_some())
+        match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
+            Ok(outcome) if outcome.value.as_rational().is_some() => match function {
+                Some(function) if function.gives_function => Nature::Other,
+                _ => Nature::Number,
+            },
+            Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
+            Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
+            Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => {
+                Nature::OfOne
+            }
+            _ => Nature::Other,
+        }
     }
 
     /// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
@@ -528,12 +511,26 @@ impl Reader<'_> {
             let list = Expr::new(Kind::List(items), Span::new(start, span.end));
             return Ok(vec![Expr { span, ..Expr::relation(letter, Rel::Eq, list) }]);
         }
+        // 10,20 40,80 80,80
+        let pairs = lists::pairs(text);
+        if !pairs.is_empty() {
+            let read = |(start, end): (usize, usize)| {
+                let place = Span::new(span.start + start, span.start + end);
+                let read = guarded(&session.limits, || items_in(&session.env, self.file, place));
+                read.map(|items| Expr::new(Kind::Tuple(items), place)).map_err(|problem| self.fail(problem))
+            };
+            return pairs.into_iter().map(read).collect();
+        }
         // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
         let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));
         let named = self.file.slice(span).contains(char::is_alphabetic);
         guarded(&session.limits, || items_in(&session.env, self.file, span))
             .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
-            .map(|items| items.into_iter().map(|item| as_list(self.of_definition(item))).collect())
+            .map(|items| {
+                // u = v = 1/2
+                let items = items.into_iter().flat_map(each_equal);
+                items.map(|item| as_list(self.of_definition(item))).collect()
+            })
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }

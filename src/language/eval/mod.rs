@@ -36,7 +36,6 @@ pub(crate) mod names;
 mod patterns;
 mod polar;
 mod products;
-mod prose;
 mod sequences;
 mod stand_ins;
 mod statement;

@@ -43,6 +43,40 @@ impl Machine {
         Ok(Some(Expr::new(Kind::Mul(factors), expr.span)))
     }
 
+    /// Refuses a word of prose that stands between blanks among factors: it is no product of its letters. What the words
+    /// around it ask for, if anything, is told by those who read requests.
+    pub(super) fn is_no_prose(&self, statement: &Expr) -> Result<(), Diagnostic> {
+        if self.reading.is_some() {
+            return Ok(());
+        }
+        let Some((word, text)) = self.prose_in(statement) else { return Ok(()) };
+        let error = Diagnostic::error(Code::UnknownName, format!("'{text}' is a word, not a formula"))
+            .at(word.span)
+            .reason("words are not read");
+        let advice = words::elsewhere(text).or_else(|| words::prose(text)).unwrap_or_default();
+        Err(error.hint(if advice.is_empty() {
+            "write a formula; polarform functions lists the functions"
+        } else {
+            advice
+        }))
+    }
+
+    fn prose_in<'a>(&self, expr: &'a Expr) -> Option<(&'a Expr, &'a str)> {
+        if let Kind::Mul(factors) = &expr.kind {
+            for (at, factor) in factors.iter().enumerate() {
+                let Kind::Name(word) = &factor.kind else { continue };
+                let spaced = (at == 0 || factors[at - 1].span.end < factor.span.start)
+                    && factors.get(at + 1).is_none_or(|next| factor.span.end < next.span.start);
+                if spaced && words::prose(word).is_some() && self.lookup(&Symbol::new(word)).is_none() {
+                    return Some((factor, word));
+                }
+            }
+        }
+        let mut children = Vec::new();
+        expr.for_each_child(&mut |child| children.push(child));
+        children.into_iter().find_map(|child| self.prose_in(child))
+    }
+
     /// `fx` may be f(x), if f is a function and x is none.
     fn not_a_value(&mut self, word: &str, letters: &[Expr], place: &Expr) -> Result<(), Diagnostic> {
         for pair in letters.windows(2) {

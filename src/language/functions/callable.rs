@@ -139,6 +139,8 @@ const ALIASES: &[(&str, &str)] = &[
     ("ratsimp", "simplify"),
     ("multiply_out", "expand"),
     ("reduced_row_echelon_form", "row_echelon"),
+    ("de_boor", "deboor"),
+    ("de_casteljau", "casteljau"),
     ("invert", "inverse"),
     ("maximum_value", "maximum"),
     ("minimum_value", "minimum"),
@@ -192,6 +194,49 @@ pub(crate) fn synonym(name: &str) -> Option<&'static str> {
 pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     let own = builtin(name).map(|builtin| builtin.name);
     own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
+}
+
+/// Nouns that say nothing more behind the name of a function: the aitken scheme.
+const NOUNS: &[&str] =
+    &["scheme", "algorithm", "matrix", "tableau", "table", "method", "identity", "polynomial", "polynomials"];
+
+/// Words that mean something else in sentences.
+const OF_SENTENCES: &[&str] = &[
+    "value",
+    "evaluate",
+    "points",
+    "curve",
+    "rational",
+    "basis",
+    "triangle",
+    "tangent",
+    "spline",
+    "subdivision",
+    "delta",
+];
+
+/// The function that words name, with `_` between them: also in the singular or plural, and by other names for it.
+pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
+    const SHORTEST: usize = 4;
+    // from Bézier to powers
+    if name.starts_with("from_") {
+        return None;
+    }
+    function_called(name).or_else(|| {
+        let singular = name.strip_suffix('s').filter(|one| one.len() >= SHORTEST);
+        let plural = format!("{name}s");
+        // A difference of two things is none of a list.
+        let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST && name != "difference");
+        let other = || SYNONYMS.iter().find(|(other, _)| *other == name && !OF_SENTENCES.contains(other));
+        singular
+            .and_then(function_called)
+            .or_else(|| plural.and_then(function_called))
+            .or_else(|| other().map(|(_, known)| *known))
+            .or_else(|| {
+                let (inner, noun) = name.rsplit_once('_')?;
+                (NOUNS.contains(&noun) && inner.len() >= SHORTEST).then(|| function_called(inner))?
+            })
+    })
 }
 
 /// The same, also written as other systems do.

@@ -41,7 +41,7 @@ mod triangulations;
 mod vertices;
 
 pub(crate) use callable::{
-    alias, callable, function_called, function_meant, is_argument_word, names, synonym,
+    alias, callable, function_called, function_in_words, function_meant, is_argument_word, names, synonym,
 };
 
 pub use arrange::Arrangement;

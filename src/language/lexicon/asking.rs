@@ -166,6 +166,7 @@ const TASKS: &[&str] = &[
     "démontrer que",
     "vérifier que",
     "est-ce que",
+    "判断",
     "demuestra que",
     "muestra que",
     "dimostra che",
@@ -335,6 +336,26 @@ pub(crate) fn without_truth(text: &str) -> &str {
         Some(length) => text.get(..text.len() - length).unwrap_or(text).trim_end_matches([' ', ',']),
         None => text,
     }
+}
+
+/// A text without the words behind it that ask whether it is so: true or false?
+pub(crate) fn without_question_of_truth(text: &str) -> Option<&str> {
+    const QUESTIONS: &[&str] = &[
+        "true or false",
+        "right or wrong",
+        "wahr oder falsch",
+        "richtig oder falsch",
+        "vrai ou faux",
+        "verdadero o falso",
+        "vero o falso",
+        "是否成立",
+        "是否正确",
+        "对吗",
+    ];
+    let text = text.trim_end().trim_end_matches(['?', '？']).trim_end();
+    let rest = QUESTIONS.iter().find_map(|words| text.strip_suffix(words))?;
+    let rest = rest.trim_end().trim_end_matches([',', ':', '：', '，']);
+    (!rest.trim().is_empty()).then_some(rest)
 }
 
 /// Labels before a claim.

@@ -43,8 +43,29 @@ pub(crate) enum Phrase {
     Equals,
     /// Values are asked for: for which.
     Which,
+    /// A place of a curve or a triangle: in the middle.
+    Place(Place),
+    /// Whether something is so: closed, open.
+    Flag(&'static str, i64),
+    /// Where a largest or smallest value is taken, which is told with it.
+    Where,
+    /// A polar form: symmetric and affine in each argument.
+    Multiaffine,
     /// It says nothing: the, please.
     Filler,
+}
+
+/// A place that has a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Where the parameter begins.
+    Start,
+    /// In the middle.
+    Middle,
+    /// Where it ends.
+    End,
+    /// The centroid.
+    Centre,
 }
 
 /// What a label says of that which follows it.

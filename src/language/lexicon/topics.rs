@@ -49,6 +49,11 @@ const TOPICS: &[(&str, Advice)] = &[
         Write("solve(discriminant(x^2 + k x + 9, x) = 0)"),
     ),
     (
+        "for which | für welche~ | pour quel~ | para qué",
+        Say("for which values an inequality holds is not found; where it begins to fail an equation holds: \
+             solve(discriminant(t^2 + k t + 1, t) = 0, k)"),
+    ),
+    (
         "continuous | continuity | stetig~ | continue | continuité | smooth~ | glatt | 连续 | c1 | c2 | g1",
         Function("continuity"),
     ),

@@ -146,6 +146,8 @@ const PROSE: &[(&str, &str)] = &[
     ("between", ""),
     ("through", ""),
     ("choose", ""),
+    ("non", ""),
+    ("pas", ""),
     ("von", ""),
     ("für", ""),
     ("bei", "a value is F(2) for a function F, or subs(t^2, t=2)"),

@@ -62,9 +62,15 @@ pub(crate) fn line(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Line> {
         cues: 0,
         direct: false,
         claims: false,
+        open: false,
+        empty: false,
     };
     cutter.run();
-    let Cutter { mut pieces, cues, claims, .. } = cutter;
+    let Cutter { mut pieces, cues, claims, open, empty, .. } = cutter;
+    // Where is t^2 largest? A word of conditions with nothing behind it says something else.
+    if open || empty {
+        return None;
+    }
     // For all n, a = b: the last of conditions alone is what they are conditions of.
     let last: Vec<usize> = (0..pieces.len())
         .filter(|at| pieces.get(at + 1).is_none_or(|next| next.sentence != pieces[*at].sentence))
@@ -97,6 +103,10 @@ struct Cutter<'a> {
     direct: bool,
     /// Whether a label says that the line is a claim.
     claims: bool,
+    /// Whether nothing has come since a word of conditions.
+    open: bool,
+    /// Whether nothing stood behind a word of conditions.
+    empty: bool,
 }
 
 impl Cutter<'_> {
@@ -207,6 +217,7 @@ impl Cutter<'_> {
             }
             if let Some(length) = asking::introduces(rest).filter(|length| apart(*length)) {
                 self.cues += 1;
+                self.open = true;
                 self.role = Role::Given;
                 return self.after(at + length);
             }
@@ -257,6 +268,8 @@ impl Cutter<'_> {
         };
         self.cues += 1;
         self.end(at, false);
+        self.empty |= self.open && matches!(role, Role::Claimed);
+        self.open = matches!(role, Role::Condition { all: false });
         self.role = role;
         self.after(at + word.len())
     }
@@ -352,6 +365,7 @@ impl Cutter<'_> {
             true => asking::without_truth(inner),
             false => inner,
         };
+        self.open = false;
         let mut span = Span::new(start, start + inner.len());
         // $f(1) = ?$
         let mut question = question;

@@ -74,6 +74,24 @@ pub(super) fn parts(
             before = ' ';
             continue;
         }
+        // de 0 a 3
+        if c == 'a'
+            && depth == 0
+            && before == ' '
+            && solid.is_ascii_digit()
+            && matches!(parts.last(), Some(Part::Phrase(Phrase::Of | Phrase::Label(Label::From), _)))
+            && text
+                .piece(at..)
+                .strip_prefix("a ")
+                .is_some_and(|rest| rest.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit()))
+        {
+            push(&mut parts, start, at);
+            parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + 1)));
+            at += 1;
+            start = at;
+            before = ' ';
+            continue;
+        }
         // 0, 4, 2, t = 1/2
         let ends = solid.is_alphanumeric() || matches!(solid, ',' | ')' | ']' | '}');
         let after_list = before == ',' || listed && before.is_whitespace() && ends;
@@ -109,6 +127,38 @@ pub(super) fn parts(
     }
     push(&mut parts, start, text.len());
     parts
+}
+
+/// The text with blanks for the parentheses around words: `at t = 1/2 (degree 2)`.
+pub(super) fn without_asides<'a>(
+    text: &'a str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Cow<'a, str> {
+    let mut masked: Option<Vec<u8>> = None;
+    let mut at = 0;
+    while let Some(found) = text.piece(at..).find(['(', '[', '{']) {
+        let open = at + found;
+        let length = text.piece(open..).len() - after_brackets(text.piece(open..)).len();
+        let Some(inside) = text.piece(open..open + length).strip_suffix(')').and_then(|all| all.get(1..))
+        else {
+            at = open + length.max(1);
+            continue;
+        };
+        let says = match phrase(inside, function) {
+            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
+                is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
+            }
+            _ => false,
+        };
+        if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
+            let bytes = masked.get_or_insert_with(|| text.as_bytes().to_vec());
+            bytes[open] = b' ';
+            bytes[open + length - 1] = b' ';
+        }
+        at = open + length.max(1);
+    }
+    masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
 }
 
 /// Whether a name with its value stands at the start of a text: t = 1/2.

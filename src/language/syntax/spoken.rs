@@ -4,12 +4,15 @@
 //! whose words are known is one; what its words mean together is settled here, what a function makes of
 //! it, where functions are known.
 
+mod ahead;
+mod asks;
+mod pairs;
 mod totals;
 
-use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_text_commands};
+use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
-use crate::language::lexicon::phrases::{Label, Phrase};
+use crate::language::lexicon::phrases::{Label, Phrase, Place};
 
 /// What is asked for, and what it is claimed or wanted to be.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +32,10 @@ pub(crate) enum Request {
     Call(Call),
     /// A sum or product.
     Total(Total),
+    /// A sum or product of formulas that stand side by side: the product of t + 1 and t - 1.
+    Joined(BigOp, Vec<Span>),
+    /// Curves by their control points, each perhaps with its interval.
+    Curves(Vec<(Span, Option<Span>)>),
 }
 
 /// A function, and what is said of its arguments.
@@ -81,6 +88,10 @@ pub(crate) enum What {
     Degree(i64),
     /// A basis, by the function that gives coefficients in it.
     Basis(&'static str),
+    /// at the end
+    Place(Place),
+    /// closed
+    Flag(&'static str, i64),
 }
 
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
@@ -93,38 +104,10 @@ pub(crate) fn request(
     function: &dyn Fn(&str) -> Option<&'static str>,
 ) -> Option<Asked> {
     let masked = without_text_commands(text);
+    let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
-    let named = |part: &Part| {
-        let names = |phrase: &Phrase| match phrase {
-            Phrase::Function(_)
-            | Phrase::Command(_)
-            | Phrase::Part(..)
-            | Phrase::Total(_)
-            | Phrase::Between(_)
-            | Phrase::Which => true,
-            // N_{0,2}(1/2) for the knots 0, 1, 2, 3
-            Phrase::Label(label) => label.names_values(),
-            _ => false,
-        };
-        matches!(part, Part::Phrase(phrase, _) if names(phrase))
-    };
-    let label =
-        |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
-    let labelled =
-        parts.windows(2).any(|pair| label(&pair[0]) && matches!(pair[1], Part::Phrase(Phrase::Of, _)));
-    let polite = matches!(parts.first(), Some(Part::Phrase(Phrase::Filler, _)))
-        || matches!(parts.last(), Some(Part::Phrase(Phrase::Filler, _)));
-    // bspline(2, [0, 0, 0, 1, 1, 1], [1, 2, 3]) at 1/2
-    let valued = matches!(parts.as_slice(),
-        [Part::Piece(_), Part::Phrase(Phrase::Label(Label::At), _), Part::Piece(at)]
-            if !text.piece(at.range()).contains('='));
-    // the rational quadratic (0, 0), (1, 2), (2, 0)
-    let qualified = parts.windows(2).any(|pair| {
-        matches!(pair[0], Part::Phrase(Phrase::Rational | Phrase::Degree(_), _))
-            && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
-    });
-    if !parts.iter().any(named) && !polite && !labelled && !valued && !qualified {
+    if !asks::is_request(text, &parts) {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -134,11 +117,30 @@ pub(crate) fn request(
     if pieces.into_iter().any(|piece| has_words(piece, known)) {
         return None;
     }
-    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler, _));
+    // A note tells where a largest value is taken; of other functions it is not known.
+    let extreme = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Function("maximum" | "minimum" | "max" | "min")
+                    | Phrase::Command("maximum" | "minimum" | "max" | "min"),
+                _
+            )
+        )
+    };
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _))) && !parts.iter().any(extreme) {
+        return None;
+    }
+    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let mut reader = Reader { text, parts, at: 0 };
+    let mut reader = Reader { text, parts: asks::from_one_to_another(parts), at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
+}
+
+/// Each knot as a place where it is inserted.
+fn at_each(knots: &[Span]) -> Vec<Said> {
+    knots.iter().map(|span| Said { label: Label::At, what: What::Formula(*span) }).collect()
 }
 
 struct Reader<'a> {
@@ -167,6 +169,10 @@ impl Reader<'_> {
 
     /// A request, or what it is claimed to be: is u v the polar form of t^2? The degree of t^2 equals 2.
     fn asked(&mut self) -> Option<Asked> {
+        if let Some(request) = self.two_curves() {
+            self.at = self.parts.len();
+            return Some(Asked { request, equals: None });
+        }
         // for which x is x^2 = 1
         if self.take(Phrase::Which) {
             let (Part::Piece(name), true) = (self.next()?, {
@@ -183,6 +189,26 @@ impl Reader<'_> {
             return Some(Asked { request: Request::Call(call), equals: None });
         }
         let asks = self.take(Phrase::Is);
+        // is B_0^3(1/2) equal to 1/8?
+        if let Some([Part::Piece(left), Part::Phrase(Phrase::Equals, _), Part::Piece(right)]) =
+            self.parts.get(self.at..)
+        {
+            self.at += 3;
+            let request = Request::Formula(vec![*left], Vec::new());
+            return Some(Asked { request, equals: Some(*right) });
+        }
+        // does t^3 - t have roots in [0, 1]?
+        let finds = |part: &Part| {
+            matches!(
+                part,
+                Part::Phrase(
+                    Phrase::Function("roots" | "double_points" | "inflections" | "intersections"),
+                    _
+                )
+            )
+        };
+        let found = self.parts.iter().filter(|part| finds(part)).count();
+        let asks = asks && (found != 1 || self.next().is_some_and(|part| finds(&part)));
         if asks
             && let Some(Part::Piece(claimed)) = self.next()
             && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
@@ -216,6 +242,10 @@ impl Reader<'_> {
             Some(Phrase::Label(Label::At | Label::Points | Label::Weights | Label::Knots))
         ) && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)))
             || self.at_points_of_curve()
+            || self.at_points()
+            || self.at_data()
+            || !early.is_empty()
+                && matches!(self.next(), Some(Part::Piece(span)) if begins_equation(self.text.piece(span.range())))
         {
             early.extend(self.said()?);
             while matches!(self.phrase(), Some(Phrase::Of | Phrase::And)) {
@@ -224,6 +254,8 @@ impl Reader<'_> {
         }
         let mut request = match self.next() {
             None if !early.is_empty() => Request::Formula(Vec::new(), Vec::new()),
+            // Bézier points 0, 4, 2 over [2, 4]
+            Some(_) if !early.is_empty() && self.at_label() => Request::Formula(Vec::new(), Vec::new()),
             _ => self.subject()?,
         };
         if !early.is_empty() {
@@ -237,6 +269,16 @@ impl Reader<'_> {
                     let said = self.said()?;
                     request.labels()?.extend(said);
                 }
+                // insert the knot 1: quadratic spline, knots …
+                Part::Phrase(Phrase::Function("bspline" | "bspline_basis"), _)
+                    if let Request::Call(Call { function: "insert_knots", subject, labels, .. }) =
+                        &mut request
+                        && let Some(Request::Formula(knots, _)) = subject.as_deref()
+                        && !knots.is_empty() =>
+                {
+                    labels.extend(at_each(knots));
+                    *subject = Some(Box::new(self.subject()?));
+                }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
                     self.at += 1;
@@ -247,6 +289,14 @@ impl Reader<'_> {
                         labels: Vec::new(),
                         part: None,
                     });
+                }
+                // split bezier 0, 1, 4 at 1/2 and give the left part
+                Part::Phrase(Phrase::Part(part, number), _)
+                    if let Request::Call(Call { function, part: wanted @ None, .. }) = &mut request
+                        && *function == part =>
+                {
+                    *wanted = Some(What::Degree(number));
+                    self.at += 1;
                 }
                 // 7 choose 3
                 Part::Phrase(Phrase::Between(function), phrase) => {
@@ -264,6 +314,23 @@ impl Reader<'_> {
                     request =
                         Request::Call(Call { function, phrase, subject, labels: Vec::new(), part: None });
                 }
+                // (t + 1)^5 coefficient of t^3
+                Part::Phrase(Phrase::Of, _)
+                    if let Request::Call(Call {
+                        function: "coefficient",
+                        subject: Some(subject),
+                        labels,
+                        ..
+                    }) = &mut request
+                        && let (Request::Formula(whole, _), Some(Part::Piece(monomial))) =
+                            (subject.as_mut(), self.parts.get(self.at + 1)) =>
+                {
+                    let whole = std::mem::replace(whole, vec![*monomial]);
+                    labels.extend(
+                        whole.into_iter().map(|span| Said { label: Label::In, what: What::Formula(span) }),
+                    );
+                    self.at += 2;
+                }
                 // t^3 的导数
                 Part::Phrase(Phrase::Of, _)
                     if !matches!(self.parts.get(self.at + 1), Some(Part::Piece(_))) =>
@@ -278,12 +345,9 @@ impl Reader<'_> {
                         && let Some(Part::Piece(spline)) = self.parts.get(self.at + 1)
                         && self.text.piece(spline.range()).contains("spline") =>
                 {
-                    let knots: Vec<Span> = knots.clone();
                     let spline = *spline;
                     self.at += 2;
-                    labels.extend(
-                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
-                    );
+                    labels.extend(at_each(knots));
                     *subject = Some(Box::new(Request::Formula(vec![spline], Vec::new())));
                 }
                 // insert the knot 1/2 into a spline
@@ -293,11 +357,8 @@ impl Reader<'_> {
                         && let Some(Request::Formula(knots, _)) = subject.as_deref()
                         && self.leads_to_qualified_function() =>
                 {
-                    let knots: Vec<Span> = knots.clone();
                     self.at += 1;
-                    labels.extend(
-                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
-                    );
+                    labels.extend(at_each(knots));
                     *subject = Some(Box::new(self.subject()?));
                 }
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
@@ -308,60 +369,6 @@ impl Reader<'_> {
             }
         }
         Some(request)
-    }
-
-    /// Whether a label stands here.
-    fn at_label(&self) -> bool {
-        let says_degree = matches!(self.phrase(), Some(Phrase::Degree(_)))
-            && !matches!(
-                self.parts.get(self.at + 1),
-                Some(
-                    Part::Piece(_)
-                        | Part::Phrase(Phrase::Function(_) | Phrase::Degree(_) | Phrase::Rational, _)
-                )
-            );
-        matches!(self.phrase(), Some(Phrase::Label(_))) || says_degree || self.at_points()
-    }
-
-    /// Whether points follow their name here: control points 0, 1, 3.
-    fn at_points(&self) -> bool {
-        matches!(
-            self.parts.get(self.at..self.at + 2),
-            Some([Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _), Part::Piece(span)])
-                if is_several(self.text.piece(span.range()))
-        )
-    }
-
-    /// Whether points go before their curve here: 控制点为 0, 1, 3 的贝塞尔曲线
-    fn at_points_of_curve(&self) -> bool {
-        let rest = self.parts.get(self.at + 2..).unwrap_or_default();
-        let between = |part: &&Part| matches!(part, Part::Phrase(Phrase::Of | Phrase::Degree(_), _));
-        let curve = rest.iter().find(|part| !between(part));
-        self.at_points()
-            && matches!(rest.first(), Some(Part::Phrase(Phrase::Of, _)))
-            && matches!(
-                curve,
-                Some(Part::Phrase(Phrase::Function("bezier" | "bspline" | "bspline_basis"), _))
-            )
-    }
-
-    /// Whether a function follows a label, or what goes before it: into the Bernstein basis.
-    fn leads_to_function(&self) -> bool {
-        let label = matches!(self.phrase(), Some(Phrase::Label(Label::In | Label::To | Label::With)));
-        label && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _)))
-    }
-
-    /// The same, with what it is like between them: into the quadratic spline, into a degree 2 spline.
-    fn leads_to_qualified_function(&self) -> bool {
-        let rest = self.parts.get(self.at + 1..).unwrap_or_default();
-        let quality = |part: &&Part| {
-            !matches!(
-                part,
-                Part::Phrase(Phrase::Function(_) | Phrase::Label(Label::Knots | Label::Points), _)
-            )
-        };
-        let qualities = rest.iter().take_while(quality).count();
-        qualities < 3 && matches!(rest.get(qualities), Some(Part::Phrase(Phrase::Function(_), _)))
     }
 
     /// A formula, or a function of something.
@@ -402,7 +409,10 @@ impl Reader<'_> {
             }
             Part::Phrase(Phrase::Total(op), phrase) if labels.is_empty() => {
                 self.at += 1;
-                self.total(op, phrase).map(Request::Total)
+                match self.joined() {
+                    Some(formulas) => Some(Request::Joined(op, formulas)),
+                    None => self.total(op, phrase).map(Request::Total),
+                }
             }
             Part::Phrase(word, phrase) => {
                 let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
@@ -422,61 +432,6 @@ impl Reader<'_> {
                 self.bases(function, &mut labels);
                 let subject = self.argument(&mut labels)?;
                 Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels, part }))
-            }
-        }
-    }
-
-    /// The member of a family that is wanted: the Bézier point b_1 of t^2.
-    fn member(&mut self) -> Option<Span> {
-        let [Part::Piece(span), Part::Phrase(Phrase::Of, _)] = self.parts.get(self.at..self.at + 2)? else {
-            return None;
-        };
-        let piece = self.text.piece(span.range());
-        let (letter, index) = piece.split_once('_')?;
-        let number = index.trim_start_matches('{').trim_end_matches('}');
-        let named = letter.chars().all(char::is_alphabetic) && letter.chars().count() == 1;
-        if !named || number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
-            return None;
-        }
-        self.at += 1;
-        let start = span.end - index.len() + index.find(number)?;
-        Some(Span::new(start, start + number.len()))
-    }
-
-    /// The bases between which coefficients are converted: from Bernstein to powers.
-    fn bases(&mut self, function: &str, labels: &mut Vec<Said>) {
-        // Bernstein to power is the name of a function.
-        if let (
-            "change_of_basis",
-            Some([Part::Phrase(Phrase::Label(Label::From), _), Part::Phrase(Phrase::Function(both), _)]),
-        ) = (function, self.parts.get(self.at..self.at + 2))
-            && let Some((from, to)) = both.split_once("_to_")
-        {
-            labels.push(Said { label: Label::From, what: What::Basis(from) });
-            labels.push(Said { label: Label::To, what: What::Basis(to) });
-            self.at += 2;
-        }
-        while function == "change_of_basis"
-            && let Some(
-                [
-                    Part::Phrase(Phrase::Label(label @ (Label::From | Label::To)), _),
-                    Part::Phrase(Phrase::Function(basis), _),
-                ],
-            ) = self.parts.get(self.at..self.at + 2)
-        {
-            labels.push(Said { label: *label, what: What::Basis(basis) });
-            self.at += 2;
-            // from the Bernstein basis of degree 2 to the power basis
-            if let Some([Part::Phrase(Phrase::Label(Label::OfDegree), _), Part::Piece(degree), ..]) =
-                self.parts.get(self.at..self.at + 2)
-            {
-                labels.push(Said { label: Label::OfDegree, what: What::Formula(*degree) });
-                self.at += 2;
-            }
-            // to_bernstein is the name of a function
-            if let Some(Part::Phrase(Phrase::Function(basis), _)) = self.next() {
-                labels.push(Said { label: Label::To, what: What::Basis(basis) });
-                self.at += 1;
             }
         }
     }
@@ -504,6 +459,8 @@ impl Reader<'_> {
             while self.take(Phrase::Of) {}
             match self.next() {
                 None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                // bezier 0, 1, 3 at 1/2 and give the left part
+                Some(Part::Phrase(Phrase::Part(..), _)) if !labels.is_empty() => return Some(None),
                 // degree elevation twice: 1, 0, 1
                 Some(Part::Phrase(Phrase::Ordinal(_), _)) => labels.extend(self.said()?),
                 // with b0 = 1, b1 = 3
@@ -527,7 +484,11 @@ impl Reader<'_> {
                     if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => Some(None),
+                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is | Phrase::Part(..), _)) => {
+                                Some(None)
+                            }
+                            // with control points 0, 3, 3 twice
+                            Some(Part::Phrase(Phrase::Ordinal(_), _)) => continue,
                             Some(_) => self.subject().map(Some),
                         };
                     }
@@ -559,8 +520,18 @@ impl Reader<'_> {
                 self.at += 1;
                 return Some(vec![Said { label: Label::OfDegree, what: What::Degree(degree) }]);
             }
+            Part::Phrase(Phrase::Place(place), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::At, what: What::Place(place) }]);
+            }
+            Part::Phrase(Phrase::Flag(name, value), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::With, what: What::Flag(name, value) }]);
+            }
             Part::Phrase(Phrase::Ordinal(number), _) => {
                 self.at += 1;
+                // one step
+                self.take(Phrase::Label(Label::Times));
                 return Some(vec![Said { label: Label::Times, what: What::Degree(number) }]);
             }
             // bezier 0, 1, 4, t = 1/2
@@ -574,6 +545,10 @@ impl Reader<'_> {
             _ => return None,
         };
         self.at += 1;
+        // Marsden's identity: coefficients of t^2
+        if label == Label::Points && self.phrase() == Some(Phrase::Of) {
+            return Some(Vec::new());
+        }
         while self.take(Phrase::Of) {}
         match self.next()? {
             // between 0 and 1
@@ -600,21 +575,18 @@ impl Reader<'_> {
                 let all = std::iter::once(span).chain(self.others());
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
+            // to a cubic
+            Part::Phrase(Phrase::Degree(degree), _)
+                if label == Label::To
+                    && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _))) =>
+            {
+                self.at += 1;
+                Some(vec![Said { label, what: What::Degree(degree) }])
+            }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_), _) => Some(Vec::new()),
             // for the control points 0, 1
             Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,
-        }
-    }
-}
-
-impl Request {
-    /// What is said besides.
-    fn labels(&mut self) -> Option<&mut Vec<Said>> {
-        match self {
-            Request::Formula(_, labels) => Some(labels),
-            Request::Call(call) => Some(&mut call.labels),
-            Request::Total(_) => None,
         }
     }
 }

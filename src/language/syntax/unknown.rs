@@ -54,6 +54,7 @@ pub(crate) fn unknown(
                 Phrase::Filler
                 | Phrase::Of
                 | Phrase::And
+                | Phrase::Multiaffine
                 | Phrase::Function("polar")
                 | Phrase::Label(Label::With | Label::Values),
                 _,
@@ -70,6 +71,8 @@ pub(crate) fn unknown(
                 name = Some(own);
                 found.conditions.push(span);
             }
+            // F biaffine
+            None if name == Some(piece) => {}
             // the cubic p
             None if found.conditions.is_empty() && piece.chars().all(char::is_alphabetic) => {
                 if name.replace(piece).is_some() {

@@ -3,8 +3,10 @@
 
 use super::Read;
 use super::draft::{Draft, list};
+use super::utterance::Utterance;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, applied, call};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
 use crate::language::functions::builtin;
@@ -12,8 +14,9 @@ use crate::language::lexicon::phrases::Label;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
-/// The formula that a function names with its own notation; `None` if it is asked for of something else.
-pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<Expr> {
+/// The formula that a function names with its own notation, and how many of the labels it has used, the first ones; `None`
+/// if it is asked for of something else.
+pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<(Expr, usize)> {
     // the divided differences of 1, 4, 9 at 1, 2, 3
     let several = items.len() > 1 && items.iter().all(is_number);
     if several && matches!(draft.builtin.name, "divided_differences" | "newton" | "lagrange") {
@@ -21,14 +24,32 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
     }
     let [item] = items else { return None };
     match (draft.builtin.name, &item.kind) {
+        // the divided difference [0, 1, 2] t^3
+        ("divided_differences", Kind::Mul(factors)) if said.is_empty() => {
+            let [Expr { kind: Kind::List(nodes), .. }, function @ ..] = factors.as_slice() else {
+                return None;
+            };
+            let [letter] = bases(item).into_iter().collect::<Vec<_>>().try_into().ok()?;
+            let letter: String = letter;
+            let function = Expr::product(function.to_vec());
+            let function = Expr::new(Kind::Lambda(vec![Expr::name(letter)], Box::new(function)), item.span);
+            let nodes = vec![list(nodes.clone())];
+            Some((Expr::new(Kind::Subscript(Box::new(function.grouped()), nodes), item.span), 0))
+        }
+        // the Bernstein polynomial B_2^4
+        ("bernstein", Kind::Pow(base, exponent))
+            if matches!(base.kind, Kind::Subscript(..)) && exponent.as_int().is_some() =>
+        {
+            Some((item.clone(), 0))
+        }
         // the divided difference f[a, b]
         ("divided_differences", Kind::Subscript(_, nodes))
             if said.is_empty() && matches!(nodes.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
         {
-            Some(item.clone())
+            Some((item.clone(), 0))
         }
         ("divided_differences" | "newton" | "lagrange", Kind::List(values)) => match said {
-            [Read { label: Label::At | Label::Nodes | Label::With, items: nodes }] => {
+            [Read { label: Label::At | Label::Nodes | Label::With, items: nodes }, ..] => {
                 let nodes = match nodes.as_slice() {
                     [Expr { kind: Kind::List(nodes), .. }] => nodes.clone(),
                     nodes => nodes.to_vec(),
@@ -36,7 +57,7 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
                 let fits = nodes.len() == values.len()
                     && nodes.len() > 1
                     && nodes.iter().chain(values).all(is_number);
-                fits.then(|| call(draft.builtin.name, vec![list(nodes), item.clone()], item.span))
+                fits.then(|| (call(draft.builtin.name, vec![list(nodes), item.clone()], item.span), 1))
             }
             _ => None,
         },
@@ -48,7 +69,7 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
                 _ => false,
             };
             let form = call("polar", vec![(**callee).clone()], callee.span);
-            (of_one && arguments.len() > 1).then(|| applied(form, arguments.clone(), item.span))
+            (of_one && arguments.len() > 1).then(|| (applied(form, arguments.clone(), item.span), 0))
         }
         _ => None,
     }
@@ -68,6 +89,52 @@ pub(super) fn meets_points(drafts: &[Draft], through: Option<Span>) -> Result<()
                 .reason("a curve goes through its first and last control point")
                 .hint("write control points 0, 1, 3 for the first")
                 .hint("the polynomial through points is lagrange([0, 1, 2], [1, 3, 2])"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The laws of a polar form, for what is asked to be one: is f(u, v) = u v + u a blossom?
+pub(super) fn is_polar(claimed: &Expr, asked: &Utterance) -> Option<Expr> {
+    let [Draft { builtin, .. }] = asked.drafts.as_slice() else { return None };
+    if builtin.name != "polar" || !asked.items.is_empty() || !asked.said.is_empty() {
+        return None;
+    }
+    let Kind::Chain(left, links) = &claimed.kind else { return None };
+    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(_, groups)) =
+        (links.as_slice(), &left.kind)
+    else {
+        return None;
+    };
+    let [arguments] = groups.as_slice() else { return None };
+    let letters: Vec<&str> = arguments
+        .iter()
+        .map(|argument| match &argument.kind {
+            Kind::Name(name) => Some(name.as_str()),
+            _ => None,
+        })
+        .collect::<Option<_>>()?;
+    let t = Expr { span: formula.span, ..Expr::name("t") };
+    let diagonal = letters.iter().fold(formula.clone(), |formula, letter| formula.with_name(letter, &t));
+    let arguments = vec![formula.clone(), list(arguments.clone()), diagonal];
+    (letters.len() > 1 && !letters.contains(&"t")).then(|| call("laws", arguments, claimed.span))
+}
+
+/// Refuses points without rows for a surface that has a net of them.
+pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnostic> {
+    let flat = |item: &Expr| matches!(&item.kind, Kind::Tuple(items) if !items.is_empty());
+    match (drafts.first(), items) {
+        (Some(draft), [a, b, c, d]) if draft.builtin.name == "patch" && items.iter().all(flat) => {
+            let rows = |one: [&Expr; 2], other: [&Expr; 2]| {
+                let row = |points: [&Expr; 2]| list(points.map(Clone::clone).to_vec());
+                let net = list(vec![row(one), row(other)]);
+                format!("write {}", crate::language::write::text(&call("patch", vec![net], a.span)))
+            };
+            Err(Diagnostic::error(Code::Usage, "which of these corners are neighbours?")
+                .at(a.span.to(d.span))
+                .reason("rows of points are needed, each for one value of u")
+                .hint(format!("{} if the first two have u = 0", rows([a, b], [c, d])))
+                .hint(format!("{} if the first two have v = 0", rows([a, c], [b, d]))))
         }
         _ => Ok(()),
     }

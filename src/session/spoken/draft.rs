@@ -10,6 +10,7 @@ use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 
 /// A call whose arguments are being gathered.
+#[derive(Clone)]
 pub(super) struct Draft {
     pub(super) builtin: &'static Builtin,
     pub(super) phrase: Span,
@@ -18,7 +19,7 @@ pub(super) struct Draft {
     /// Which of the things it gives is wanted.
     pub(super) part: Option<Expr>,
     /// The degree that an elevation or reduction leads to.
-    degree: Option<Expr>,
+    pub(super) degree: Option<Expr>,
 }
 
 pub(super) fn is_points(items: &[Expr]) -> bool {
@@ -41,6 +42,11 @@ fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
     Some([list(nodes), list(values)])
 }
 
+/// A point, and no list of points.
+fn is_flat(item: &Expr) -> bool {
+    matches!(item.kind, Kind::Tuple(_)) && item.items().is_some_and(|items| !is_points(items))
+}
+
 fn is_list(kind: Takes) -> bool {
     matches!(
         kind,
@@ -58,6 +64,18 @@ fn is_list(kind: Takes) -> bool {
 impl Draft {
     pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
         Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), part: None, degree: None }
+    }
+
+    /// Takes the words of its own phrase that are values of parameters: Chaikin's scheme.
+    pub(super) fn take_words(&mut self, phrase: &str) {
+        for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
+            let words = phrase.split(|c: char| !c.is_alphabetic());
+            let found =
+                words.filter_map(|word| parameter.kind.words().iter().find(|own| **own == word)).next();
+            if let Some(word) = found.filter(|word| **word != self.builtin.name) {
+                self.named.push((parameter.name, Expr { span: self.phrase, ..Expr::name(*word) }));
+            }
+        }
     }
 
     /// What the function is applied to, where a label says it: bezier with control points 0, 1, 3.
@@ -84,10 +102,18 @@ impl Draft {
     pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return false };
         match first.kind {
-            Takes::Function => items.len() > 1 && is_points(items),
+            // the derivative of 0, 1, 3
+            Takes::Function => {
+                let number = |item: &Expr| matches!(item.kind, Kind::Number(_));
+                let numbers = self.builtin.name == "derivative" && items.iter().all(number);
+                items.len() > 1 && (is_points(items) || numbers)
+            }
+            Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
+            Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
-                _ => items.len() > 1,
+                // two curves
+                _ => items.len() > 1 && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..))),
             },
             _ => false,
         }
@@ -202,6 +228,8 @@ impl Draft {
                 Some(both) => self.placed = both.into(),
                 None => return false,
             },
+            // Which of the corners (0, 0), (1, 2), … are neighbours?
+            Takes::Net if !one_list && is_points(&items) && items.iter().all(is_flat) => return false,
             kind if is_list(kind) => {
                 self.placed = match items.as_slice() {
                     [Expr { kind: Kind::List(_), .. }] => items,
@@ -211,13 +239,42 @@ impl Draft {
                     _ => vec![list(items)],
                 };
             }
+            // the spline 1, 3, 1 over 0, 0, 0, 1, 1, 1
+            Takes::Size
+                if self.builtin.name == "bspline"
+                    && said.iter().any(|read| {
+                        read.label == Label::Knots || read.label == Label::Over && read.items.len() > 2
+                    }) =>
+            {
+                let points = match items.as_slice() {
+                    [Expr { kind: Kind::List(_), .. }] => items.swap_remove(0),
+                    _ => list(items),
+                };
+                self.named.push(("points", points));
+            }
             // A degree before knots: b-spline 0, 1, 2, 3
             Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
-                self.named.push((self.builtin.parameters[1].name, list(items)));
+                let values = match items.as_slice() {
+                    // greville abscissae of (0, 0, 1, 1)
+                    [Expr { kind: Kind::List(values) | Kind::Tuple(values), .. }] => values.clone(),
+                    _ => items,
+                };
+                self.named.push((self.builtin.parameters[1].name, list(values)));
+            }
+            // the area of (0, 0), (1, 0), (0, 1)
+            Takes::Any | Takes::List if items.len() > 1 && self.is_of_one() => {
+                self.placed = vec![list(items)]
             }
             _ => self.placed = items,
         }
         true
+    }
+
+    /// Whether it has one argument with a place.
+    fn is_of_one(&self) -> bool {
+        let placed = |p: &&Parameter| matches!(p.need, Need::Required | Need::Optional(_) | Need::Many(..));
+        let mut own = self.builtin.parameters.iter().filter(placed);
+        own.next().is_some_and(|first| first.need == Need::Required) && own.next().is_none()
     }
 
     /// The coefficient of x^3 in (1 + x)^7.
@@ -236,7 +293,7 @@ impl Draft {
         }
     }
 
-    fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
+    pub(super) fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
         let free = |p: &&Parameter| p.has_name() && !self.named.iter().any(|(name, _)| *name == p.name);
         let left = self.builtin.parameters.iter().skip(self.placed.len());
         left.filter(free).find(|p| names.contains(&p.name))
@@ -244,6 +301,12 @@ impl Draft {
 
     /// Takes what a label says, if there is a parameter for it; else gives it back.
     pub(super) fn take(&mut self, read: Read) -> Option<Read> {
+        let read = self.take_other(read)?;
+        let read = self.take_labelled(read)?;
+        self.take_second(read)
+    }
+
+    fn take_labelled(&mut self, read: Read) -> Option<Read> {
         let one = read.items.len() == 1;
         let Some(first) = read.items.first().cloned() else { return Some(read) };
         // n = 3, a = 0
@@ -316,6 +379,14 @@ impl Draft {
             Label::Over | Label::With | Label::In => return self.take_interval(read),
             Label::Times => single(&["k", "times"]),
             Label::Number => single(&["i"]),
+            // puntos de control de t^3 en [0, 2]
+            Label::At
+                if matches!(&first.kind, Kind::List(ends) if one && ends.len() == 2)
+                    && self.has_ends()
+                    && !matches!(self.builtin.name, "bezier" | "bspline" | "patch") =>
+            {
+                return self.take_interval(read);
+            }
             Label::At => return self.take_parameter(read),
             Label::Knots | Label::Nodes | Label::Values | Label::Weights | Label::Points => {
                 let name = match read.label {
@@ -358,66 +429,9 @@ impl Draft {
         }
     }
 
-    fn take_degree(&mut self, read: Read, degree: Expr) -> Option<Read> {
-        if matches!(self.builtin.name, "elevate" | "reduce") && self.degree.is_none() {
-            self.degree = Some(degree);
-            return None;
-        }
-        // As many points as the degree says: a cubic 0, 1, 1, 0.
-        if let ("bezier" | "lagrange" | "newton" | "triangle_patch", Some(points)) =
-            (self.builtin.name, self.placed.first().and_then(Expr::items))
-        {
-            let agrees = degree.as_int().is_some_and(|n| {
-                usize::try_from(n).is_ok_and(|n| match self.builtin.name {
-                    "triangle_patch" => {
-                        n.checked_add(2).and_then(|m| (n + 1).checked_mul(m)) == Some(2 * points.len())
-                    }
-                    _ => n.checked_add(1) == Some(points.len()),
-                })
-            });
-            return (!agrees).then_some(read);
-        }
-        let parameter =
-            self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
-        match parameter {
-            Some(parameter) => {
-                self.named.push((parameter.name, degree));
-                None
-            }
-            None => Some(read),
-        }
-    }
-
-    /// [0, 2] over which a curve is given, or the knots of a spline.
-    fn take_interval(&mut self, read: Read) -> Option<Read> {
-        let ends = match read.items.as_slice() {
-            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends.clone(),
-            // [0;1]
-            [Expr { kind: Kind::Matrix(rows, _), .. }] if rows.iter().all(|row| row.len() == 1) => {
-                match rows.iter().flatten().cloned().collect::<Option<Vec<_>>>() {
-                    Some(ends) => ends,
-                    None => return Some(read),
-                }
-            }
-            [Expr { kind: Kind::Chain(_, links), .. }] => match links.as_slice() {
-                [link] if link.rel == Rel::In => link.expr.items().unwrap_or_default().to_vec(),
-                _ => return Some(read),
-            },
-            _ => read.items.clone(),
-        };
-        if let (Some(a), Some(b), [from, to]) =
-            (self.parameter(&["a", "r"]), self.parameter(&["b", "s"]), ends.as_slice())
-        {
-            self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
-            return None;
-        }
-        match self.parameter(&["knots"]) {
-            Some(knots) if ends.len() > 1 => {
-                self.named.push((knots.name, list(ends)));
-                None
-            }
-            _ => Some(read),
-        }
+    /// Whether its object may be a curve, though other things may be, too.
+    fn takes_curves(&self) -> bool {
+        self.builtin.parameters.first().is_some_and(|first| first.doc.contains("curve"))
     }
 
     /// Whether it cannot be without an interval: the part of a curve.
@@ -428,36 +442,6 @@ impl Draft {
     /// Whether it takes an interval by its ends.
     pub(super) fn has_ends(&self) -> bool {
         self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
-    }
-
-    /// A value for the parameter that comes after what the function is applied to.
-    fn take_parameter(&mut self, read: Read) -> Option<Read> {
-        let given = self.named.iter().any(|(name, _)| name.is_empty());
-        let takes = self.builtin.parameters.get(1).is_some_and(|p| {
-            (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
-                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
-        });
-        // Neville's scheme at 2
-        let last = self
-            .builtin
-            .parameters
-            .iter()
-            .skip(2)
-            .find(|p| p.kind == Takes::Scalar && matches!(p.need, Need::Optional(_)));
-        if let ([item], Some(_), 2) = (read.items.as_slice(), last, self.placed.len()) {
-            let value = eval::named(item).map_or(item, |(_, value)| value);
-            self.named.push(("", value.clone()));
-            return None;
-        }
-        if !takes || self.placed.len() > 1 {
-            return Some(read);
-        }
-        let values = read.items.iter().map(|item| match eval::named(item) {
-            Some((_, value)) => value.clone(),
-            None => item.clone(),
-        });
-        self.named.extend(values.map(|value| ("", value)));
-        None
     }
 
     /// The call, of what is inside of it.
@@ -478,7 +462,7 @@ impl Draft {
                     ) => inside = curve.clone(),
                     // The zeros of a Bézier polynomial.
                     (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() && self.builtin.name != "reverse" =>
+                        if self.builtin.on_curve.is_none() && !self.takes_curves() =>
                     {
                         let span = inside.span;
                         inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
@@ -529,6 +513,19 @@ impl Draft {
                 && knots > points
             {
                 self.named.push(("n", Expr { span, ..Expr::int(knots - points - 1) }));
+            }
+        }
+        // solve x + y = 3, x - y = 1 for x and y
+        if self.builtin.on_equations.is_some() {
+            let (unknowns, others): (Vec<_>, Vec<_>) =
+                self.named.into_iter().partition(|(name, _)| name.is_empty());
+            self.named = others;
+            if self.placed.len() > 1 {
+                self.placed = vec![list(self.placed)];
+            }
+            match unknowns.len() {
+                0 | 1 => self.named.extend(unknowns),
+                _ => self.named.push(("", list(unknowns.into_iter().map(|(_, name)| name).collect()))),
             }
         }
         let others = self.named.into_iter().map(|(name, value)| match name {

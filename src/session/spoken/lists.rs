@@ -138,6 +138,26 @@ impl Equation {
     }
 }
 
+/// Where pairs of numbers stand that have only blanks between them: `0,0 1,2 2,0`.
+pub(super) fn pairs(text: &str) -> Vec<(usize, usize)> {
+    let number = |text: &str| {
+        let digits = text.strip_prefix('-').unwrap_or(text);
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'/'))
+    };
+    let pair = |word: &str| word.split_once(',').is_some_and(|(x, y)| number(x) && number(y));
+    let words: Vec<&str> = text.split_whitespace().collect();
+    if words.len() < 2 || !words.iter().all(|word| pair(word)) {
+        return Vec::new();
+    }
+    let mut at = 0;
+    let mut place = |word: &&str| {
+        let start = at + text.get(at..)?.find(*word)?;
+        at = start + word.len();
+        Some((start, at))
+    };
+    words.iter().filter_map(&mut place).collect()
+}
+
 /// The names in a formula, with their indices, that do not occur in another one.
 pub(super) fn letters(formula: &Expr, other: &Expr) -> Vec<Expr> {
     let mut found = Vec::new();

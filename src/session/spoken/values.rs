@@ -7,6 +7,17 @@ use crate::language::eval;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 
+/// What a result is, as to its values.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Nature {
+    /// It has none at a parameter.
+    Number,
+    /// A function of one parameter.
+    OfOne,
+    /// Anything else.
+    Other,
+}
+
 /// What no function takes: values of a result.
 pub(super) struct Values(pub(super) Vec<Read>);
 
@@ -15,11 +26,7 @@ impl Values {
     ///
     /// # Errors
     /// What cannot be put into it.
-    pub(super) fn put_into(
-        &mut self,
-        formula: Expr,
-        is_number: &dyn Fn(&Expr) -> bool,
-    ) -> Result<Expr, Read> {
+    pub(super) fn put_into(&mut self, formula: Expr, nature: &dyn Fn(&Expr) -> Nature) -> Result<Expr, Read> {
         // A curve at t = 1/2, a patch at u = 1/2 and v = 1/3: letters that do not occur are those of its parameters.
         let occur = bases(&formula);
         let parameter = |read: &Read| {
@@ -35,9 +42,24 @@ impl Values {
         };
         let mut parameters: Vec<(String, Expr)> = Vec::new();
         let mut others = Vec::new();
-        for read in self.0.drain(..) {
+        for mut read in self.0.drain(..) {
+            // at t = 1/4, t = 1/2
+            let named: Vec<(String, Expr)> = read
+                .items
+                .iter()
+                .filter_map(|item| eval::named(item).map(|(name, value)| (name, value.clone())))
+                .collect();
+            if let [(first, _), rest @ ..] = named.as_slice()
+                && !rest.is_empty()
+                && named.len() == read.items.len()
+                && rest.iter().all(|(name, _)| name == first)
+                && roles::is_variable(first)
+                && read.label == Label::At
+            {
+                read.items = named.iter().map(|(_, value)| value.clone()).collect();
+            }
             match parameter(&read) {
-                Some(_) if is_number(&formula) => return Err(read),
+                Some(_) if nature(&formula) == Nature::Number => return Err(read),
                 // t = 1 and t = 2
                 Some(values)
                     if values.iter().any(|(name, _)| parameters.iter().any(|(known, _)| known == name)) =>
@@ -45,7 +67,13 @@ impl Values {
                     return Err(read);
                 }
                 Some(values) => parameters.extend(values),
-                None => others.push(read),
+                // at 3 and at 0
+                None => match others.last_mut() {
+                    Some(Read { label: Label::At, items }) if read.label == Label::At => {
+                        items.extend(read.items);
+                    }
+                    _ => others.push(read),
+                },
             }
         }
         parameters.sort_by(|(one, _), (other, _)| one.cmp(other));
@@ -55,7 +83,7 @@ impl Values {
             formula = applied(formula, parameters.into_iter().map(|(_, value)| value).collect(), span);
         }
         for read in others {
-            match value_of(&formula, &read, is_number) {
+            match value_of(&formula, &read, nature) {
                 Some(at) => formula = at,
                 None => return Err(read),
             }
@@ -65,8 +93,12 @@ impl Values {
 }
 
 /// The value of a result: at a parameter, or for values of its names.
-pub(super) fn value_of(whole: &Expr, read: &Read, is_number: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
-    if !matches!(read.label, Label::At | Label::With | Label::To) || is_number(whole) {
+pub(super) fn value_of(whole: &Expr, read: &Read, nature: &dyn Fn(&Expr) -> Nature) -> Option<Expr> {
+    if !matches!(read.label, Label::At | Label::With | Label::To) {
+        return None;
+    }
+    let own = nature(whole);
+    if own == Nature::Number {
         return None;
     }
     let span = whole.span;
@@ -79,6 +111,23 @@ pub(super) fn value_of(whole: &Expr, read: &Read, is_number: &dyn Fn(&Expr) -> b
     }
     let polar = matches!(&whole.kind, Kind::Apply(callee, _)
         if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
+    // at (0, 1) and (1, 1); a curve at 0, 1/2, 1
+    let tuple = |item: &Expr| matches!(&item.kind, Kind::Tuple(items) if items.len() > 1);
+    // at 0,5
+    if let [before, after] = read.items.as_slice()
+        && own == Nature::OfOne
+        && eval::is_decimal_comma(before, after)
+    {
+        return None;
+    }
+    let points = read.items.iter().all(tuple);
+    if read.items.len() > 1 && (points || own == Nature::OfOne) {
+        let at = |item: &Expr| match &item.kind {
+            Kind::Tuple(items) if points => applied(whole.clone(), items.clone(), span),
+            _ => applied(whole.clone(), vec![item.clone()], span),
+        };
+        return Some(Expr::new(Kind::List(read.items.iter().map(at).collect()), span));
+    }
     let arguments = match read.items.as_slice() {
         // In u and v, or in barycentric coordinates.
         [Expr { kind: Kind::Tuple(items), .. }] => items.clone(),

@@ -3,7 +3,8 @@
 use super::Label::{
     At, From, In, Knots, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values, Weights, With,
 };
-use super::Phrase::{self, And, Between, Command, Degree, Filler, Function, Of, Ordinal};
+use super::Phrase::{self, And, Between, Command, Degree, Filler, Flag, Function, Of, Ordinal};
+use super::Place::{Centre, End, Middle, Start};
 use crate::formula::BigOp;
 
 /// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank, `~` for any of the endings.
@@ -18,7 +19,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("derivative"),
         "derivative~ | first derivative | ableitung~ | erste~ ableitung | dérivée~ | derivee | 导数 | \
-         derivada~ | derivata | tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity",
+         derivada~ | derivata | tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity | \
+         velocity vector | tangent direction | direction of tangent | tangentenrichtung | direction tangente",
     ),
     (
         Command("derivative"),
@@ -125,7 +127,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
     (
         Command("elevate"),
-        "elevate | raise degree | elevate degree | raise the degree | elevate the degree | degree elevate | \
+        "elevate | raise degree | \
+         raise | degree elevated | élève le degré de | élever le degré | eleva el grado | eleva il grado | aumenta el grado | grad erhöhen | elevate degree | raise the degree | elevate the degree | degree elevate | \
          degree raise | erhöhe den grad | elevar el grado | 升阶",
     ),
     (
@@ -135,19 +138,22 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Command("reduce"),
-        "degree reduce | reduce degree | reduce the degree | lower degree | lower the degree | 降阶",
+        "degree reduce | reduce degree | \
+         degree lower | reduziere den grad | senke den grad | grad reduzieren | réduire le degré | reduce el grado | written with lower degree | reduce the degree | lower degree | lower the degree | 降阶",
     ),
     (Function("reduce"), "degree reduction | gradreduktion | réduction du degré | reducción de grado"),
     (
         Command("subdivide"),
-        "split | subdivide | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
+        "split | subdivide | \
+         cut | chop | bisect | halve | divide | zerlege~ | zerteile~ | halbiere~ | coupe | couper | divise | diviser | corta | cortar | dividir | 分成 | 拆分 | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
     ),
     (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
     (Function("part"), "restriction | einschränkung | restricción"),
     (Command("reverse"), "reverse"),
     (
         Command("part"),
-        "extend | extrapolate | verlängere | prolonger | restrict | beschränke | einschränken | restreindre",
+        "extend | extrapolate | \
+         restricted | beschränkt | verlängere | prolonger | restrict | beschränke | einschränken | restreindre",
     ),
     (
         Phrase::Part("subdivide", 0),
@@ -158,7 +164,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "right part | right half | second half | rechter teil | rechte hälfte | partie droite",
     ),
     (Phrase::Total(BigOp::Sum), "sum | summe | somme | suma | somma"),
-    (Phrase::Total(BigOp::Product), "product | produkt | produit"),
+    (
+        Phrase::Total(BigOp::Product),
+        "multiply | multipliziere mit | multiplie | multiplier | multiplica | multiplicar | moltiplica | product | produkt | produit",
+    ),
     (
         Command("max"),
         "which is bigger | which is larger | which is greater | was ist größer | lequel est plus grand | \
@@ -224,13 +233,102 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          elementarsymmetrisch~ polynom~ | polynôme~ symétrique~ élémentaire~ | \
          fonction~ symétrique~ élémentaire~",
     ),
-    (Function("deboor"), "de boor | deboor"),
+    (Function("deboor"), "de boor | deboor | de boor's algorithm | de boor scheme"),
+    (
+        Function("pieces"),
+        "bézier segments | bezier segments | bézier pieces | bezier pieces | bézier extraction | bezier extraction | \
+         bézierstücke | bezierstücke | bézier segmente | bezier segmente | segments de bézier | segments de bezier | \
+         segmentos de bézier | tramos de bézier",
+    ),
+    (
+        Function("gram"),
+        "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
+    ),
+    (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
+    (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
+    (
+        Function("barycentric"),
+        "barycentric coordinates | baryzentrische koordinaten | baryzentrischen koordinaten | \
+         coordonnées barycentriques | coordenadas baricéntricas | 重心坐标",
+    ),
+    (
+        Function("inflections"),
+        "inflection point~ | point of inflection | points of inflection | wendepunkt~ | point~ d'inflexion | \
+         puntos de inflexión | 拐点",
+    ),
+    (
+        Function("intersections"),
+        "intersection | intersections | intersection point~ | schnittpunkt~ | points d'intersection | \
+         puntos de intersección | punti di intersezione | 交点",
+    ),
+    (
+        Function("double_points"),
+        "loop~ | self intersection~ | selbstüberschneidung~ | point~ double | punto doble | puntos dobles | cusp~ | spitze~",
+    ),
+    (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
+    (
+        Function("continuity"),
+        "join | joins | joint | meet smoothly | continuous | stetig | glatt | übergang | smooth join | smooth | smoothly | join smoothly | \
+         raccord | raccordement | continues | continuité | continuidad | continuas | 连续 | 拼接",
+    ),
+    (
+        Function("differences"),
+        "forward differences | vorwärtsdifferenzen | différences progressives | diferencias progresivas",
+    ),
+    (
+        Function("arc_length"),
+        "length | arc length | länge | bogenlänge | longueur | longueur d'arc | longitud | longitud de arco | lunghezza | 弧长",
+    ),
+    (
+        Function("length"),
+        "number of | anzahl der | anzahl | nombre de | número de | numero di | how many | wie viele | combien de | cuántos | cuántas",
+    ),
+    (
+        Phrase::Place(Start),
+        "at the start | at the beginning | at its start | am anfang | au début | al principio | al inicio | at the left end",
+    ),
+    (
+        Phrase::Place(End),
+        "at the end | at its end | am ende | à la fin | al final | alla fine | at the right end",
+    ),
+    (
+        Phrase::Place(Middle),
+        "in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
+         en el medio | por la mitad | nel mezzo | in half | in two halves | in zwei hälften | en deux moitiés",
+    ),
+    (
+        Phrase::Place(Centre),
+        "at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
+         en el baricentro | nel baricentro | at the center | at the centre",
+    ),
+    (
+        Flag("closed", 1),
+        "closed | closed polygon | geschlossen~ | geschlossenes polygon | fermé~ | polygone fermé | cerrad~ | 封闭 | 闭",
+    ),
+    (
+        Flag("closed", 0),
+        "open | open polygon | offen~ | offenes polygon | ouvert~ | polygone ouvert | abiert~",
+    ),
+    (
+        Phrase::Where,
+        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
+         and how large is it | what is it there | wo | und wo | et où | y dónde | dónde | e dove | 在哪里",
+    ),
+    (
+        Phrase::Multiaffine,
+        "multi affine | triaffine | symmetric | symmetric biaffine | symmetric multiaffine | symmetrisch~ | multiaffin~ | biaffin~ | \
+         symétrique | multi affine symétrique | simétric~ | 对称",
+    ),
     (
         Function("greville"),
         "greville abscissae | greville points | greville | greville abszissen | \
          abscisses de greville | abscisas de greville",
     ),
-    (Command("insert_knots"), "insert knot | insert knots | knot insertion"),
+    (
+        Command("insert_knots"),
+        "insert knot | insert knots | knot insertion | \
+         insert | add knot | füge den knoten | füge knoten | knoten einfügen | insère le nœud | insérer le nœud | insérer | inserta el nudo | inserta | inserisci | boehm | boehm's algorithm | 插入节点",
+    ),
     (
         Function("lagrange"),
         "interpolation polynomial | interpolating polynomial | lagrange polynomial~ | interpolant~ | \
@@ -287,7 +385,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Ordinal(3),
         "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
-    (Ordinal(1), "once | one | one time | einmal | une fois"),
+    (
+        Ordinal(1),
+        "um eins | by one | d'un degré | en uno | di uno | once | one | one time | einmal | une fois",
+    ),
     (Degree(5), "quintic~ | quintique~ | 五次"),
     (
         Of,
@@ -295,23 +396,27 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          dei | 的",
     ),
     (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
-    (Phrase::Is, "is | ist | est | gilt | does | do | stimmt"),
+    (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
     (
         Phrase::Equals,
-        "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+        "equals | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
-    (And, "and | und | et | 和 | divided by | geteilt durch | divisé par | dividido por"),
+    (
+        And,
+        "and | und | et | 和 | 与 | on division by | upon division by | when divided by | after division by | by division by | bei division durch | in the division by | dans la division par | al dividir por | al dividir entre | divided by | geteilt durch | divisé par | dividido por",
+    ),
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "at | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
     (
         Phrase::Label(Over),
-        "over | on | on the interval | over the interval | über | auf | im intervall | sur | \
+        "over | on | on the interval | \
+         on interval | within | auf dem intervall | parameter interval | parameter range | subinterval | teilintervall | sous intervalle | subintervalo | dans l'intervalle | over the interval | über | auf | im intervall | sur | \
          sur l'intervalle | in the interval | interval | intervall | \
          intervalle | 区间 | sobre | en el intervalo | intervalo | nell'intervallo | intervallo",
     ),
@@ -324,14 +429,17 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(In),
-        "in | with respect to | wrt | w r t | nach der variablen | bezüglich | par rapport à | by | \
+        "in | dans | dentro de | nel | nella | with respect to | wrt | w r t | nach der variablen | bezüglich | par rapport à | by | \
          关于",
     ),
     (
         Phrase::Label(With),
-        "for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
+        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
     ),
-    (Phrase::Label(Through), "through | passing through | durch | passant par | 经过"),
+    (
+        Phrase::Label(Through),
+        "through | passing through | that passes through | which passes through | durch | passant par | que pasa por | que pasa por los puntos | passante per | attraverso | 经过 | 通过",
+    ),
     (
         Phrase::Label(OfDegree),
         "degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
@@ -347,11 +455,14 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),
     (
         Phrase::Label(Points),
-        "points | control value~ | control coefficient~ | control ordinate~ | coefficients | coeffs | coefs | coef | koeffizienten | coeficientes | coefficienti | \
+        "points | pts | ctrl | ctrl points | ctrl pts | control | cps | vertices | ecken | sommets | vértices | control vertices | control sequence | control value~ | control coefficient~ | control ordinate~ | coefficients | coeffs | coefs | coef | koeffizienten | coeficientes | coefficienti | \
          de boor point~ | punkt~ | puntos | punti | control net | kontrollnetz | net | \
          corners | corner points",
     ),
-    (Phrase::Label(Times), "times | mal | fois | veces | volte | 次"),
+    (
+        Phrase::Label(Times),
+        "times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
+    ),
     (Phrase::Label(Number), "index"),
     (
         Filler,
@@ -368,6 +479,16 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
          wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
-         form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
+         form | basis | equation | gleichung | l'équation | 方程 | aus | arguments | \
+         wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
+         can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \
+         corresponding | consider | take | turn | bring | put | make | draw up | work out | derive for me | \
+         in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | bitte gib | bitte berechne | \
+         qual è | evalúa | evaluar | valuta | triangle | dreieck~ | triángulo | triangolo | 三角形 | curves | kurven | courbes | curve bezier | segments | segmente | polynome | polynomials | functions | funktionen | 两条 | je voudrais | je veux | ich möchte | ich brauche | ich hätte gern | quiero | necesito | vorrei | \
+         calcúlame | dame | dime | dammi | dimmi | gib mir | zeig mir | zeige mir | donne moi | montre moi | muéstrame | mostra | \
+         the following | folgende~ | suivant~ | siguiente~ | seguente | given by | gegeben durch | donné par | donnée par | dado por | dada por | dato da | \
+         whose | deren | dessen | dont | both | both halves | both parts | both polygons | beide | beide teile | les deux | ambos | ambas | \
+         polygon | polygone | polígono | poligono | result | ergebnis | résultat | resultado | risultato | answer | segment | stück | straight | \
+         in exact form | genau | exakt | exactement | exactamente | esattamente | 精确 | 给出 | 写出 | 求出 | 请问 | 什么是 | 是多少 | 等于多少 | 怎么算 | 的值 | 进行 | ein",
     ),
 ];

@@ -7,6 +7,27 @@ use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation};
 
 impl Reader<'_> {
+    /// The formulas that are added or multiplied, if they stand side by side: t + 1 and t - 1.
+    pub(super) fn joined(&mut self) -> Option<Vec<Span>> {
+        let start = self.at;
+        self.take(Phrase::Of);
+        let mut found = Vec::new();
+        while let Some(Part::Piece(span)) = self.next() {
+            self.at += 1;
+            found.push(span);
+            let goes_on = [Phrase::And, Phrase::Label(Label::In), Phrase::Label(Label::With)];
+            if !goes_on.into_iter().any(|word| self.take(word)) {
+                break;
+            }
+        }
+        let equations = found.iter().any(|span| self.text.piece(span.range()).contains('='));
+        if found.len() > 1 && !equations && self.next().is_none() {
+            return Some(found);
+        }
+        self.at = start;
+        None
+    }
+
     /// What is added up: sum i = 0..5 of i^2, sum of i^2 for i = 0..5, sum of i from i = 0 to 5.
     pub(super) fn total(&mut self, op: BigOp, phrase: Span) -> Option<Total> {
         let piece = |reader: &mut Self| {

@@ -1,0 +1,83 @@
+//! What a request is about, where that is more than formulas side by side: curves, sums, products.
+
+use super::{Reader, draft, one_term};
+use crate::formula::source::Span;
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, call};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::syntax::Total;
+use crate::session::Failure;
+
+impl Reader<'_> {
+    /// Curves by their control points; where no intervals are said, one begins where the other ends.
+    pub(super) fn curves(
+        &self,
+        curves: Vec<(Span, Option<Span>)>,
+    ) -> Result<Option<Vec<Expr>>, Box<Failure>> {
+        let mut found = Vec::new();
+        for (number, (points, interval)) in (0_i64..).zip(curves) {
+            let place = points.shifted(self.start);
+            let points = match self.items(points)?.as_slice() {
+                [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+                points => draft::list(points.to_vec()),
+            };
+            let ends = match interval {
+                Some(interval) => match self.items(interval)?.as_slice() {
+                    [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] if ends.len() == 2 => {
+                        ends.clone()
+                    }
+                    _ => return Ok(None),
+                },
+                None => vec![Expr::int(number), Expr::int(number + 1)],
+            };
+            found.push(call("bezier", std::iter::once(points).chain(ends).collect(), place));
+        }
+        Ok(Some(found))
+    }
+
+    /// The sum or product of formulas; of lists it is not clear what that is.
+    pub(super) fn joined(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+        let formulas = spans.into_iter().map(|span| self.one(span)).collect::<Result<Vec<_>, _>>()?;
+        let several = |item: &Expr| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Sequence(_));
+        if formulas.iter().any(several) {
+            return Ok(None);
+        }
+        let span = formulas.iter().map(|formula| formula.span).reduce(Span::to).unwrap_or_default();
+        let whole = match op {
+            BigOp::Product => Expr::product(formulas.into_iter().map(one_term).collect()),
+            BigOp::Sum => Expr::sum(
+                formulas.into_iter().map(|expr| Term { sign: Sign::Plus, expr: one_term(expr) }).collect(),
+            ),
+            _ => return Ok(None),
+        };
+        Ok(Some(Expr { span, ..whole }))
+    }
+
+    /// The sum or product that is asked for in words.
+    pub(super) fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
+        let (range, body) = (self.one(total.range)?, self.one(total.body)?);
+        let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
+        if let (Some(index), Some(end)) = (total.index, total.end) {
+            let (name, end) = (self.one(index)?, self.one(end)?);
+            let lower = vec![Expr { span: name.span.to(range.span), ..Expr::relation(name, Rel::Eq, range) }];
+            let body = Box::new(one_term(body));
+            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(end)), body }, span));
+        }
+        let wrong = || {
+            let problem =
+                Diagnostic::error(Code::Usage, "a sum needs the first and the last value of its index")
+                    .at(range.span)
+                    .hint("write sum(k=1..4, k^2)");
+            Box::new(Failure { problem, file: self.file.clone() })
+        };
+        let Kind::Chain(name, links) = &range.kind else { return Err(wrong()) };
+        let [link] = links.as_slice() else { return Err(wrong()) };
+        let (from, to) = match (&link.expr.kind, total.end) {
+            (Kind::Range(from, to), None) => ((**from).clone(), (**to).clone()),
+            (_, Some(end)) => (link.expr.clone(), self.one(end)?),
+            _ => return Err(wrong()),
+        };
+        let lower = vec![Expr { span: range.span, ..Expr::relation((**name).clone(), Rel::Eq, from) }];
+        let body = Box::new(body.grouped());
+        Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(to)), body }, span))
+    }
+}

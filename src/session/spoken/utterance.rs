@@ -1,0 +1,417 @@
+//! A request while it is put together: its functions, their object, and what is said of them.
+
+use super::draft::{self, Draft};
+use super::{Read, apposition, lists, notations};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
+use crate::judge::names::bases;
+use crate::language::eval;
+use crate::language::functions::{Parameter, Takes, builtin};
+use crate::language::lexicon::phrases::{Label, Place};
+
+/// A request, read.
+#[derive(Clone, Default)]
+pub(super) struct Utterance {
+    /// The functions; once settled, from the inside out.
+    pub(super) drafts: Vec<Draft>,
+    /// What the innermost of them is about.
+    pub(super) items: Vec<Expr>,
+    /// What is said of the arguments.
+    pub(super) said: Vec<Read>,
+    /// What the innermost function is applied to, if that is a formula with lists in place of its notations.
+    pub(super) formula: Option<Expr>,
+    /// Points that are to be met.
+    pub(super) through: Option<Span>,
+    /// Places that have a word: in the middle.
+    pub(super) places: Vec<Place>,
+    /// Whether something is so: closed.
+    pub(super) flags: Vec<(&'static str, Expr)>,
+}
+
+impl Utterance {
+    /// Takes what a label says.
+    pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
+        // in t = 1
+        let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+        let label = match label {
+            Label::In if values => Label::At,
+            // forma polare di t^2 in (1, 2)
+            Label::In
+                if is_point(&items) && self.drafts.iter().any(|draft| draft.builtin.name == "polar") =>
+            {
+                Label::At
+            }
+            // the parabola through (0, 1), (1, 3), (2, 11)
+            Label::Through if draft::is_points(&items) && self.drafts.is_empty() => Label::Through,
+            Label::Through => {
+                self.through = items.first().map(|item| item.span);
+                Label::With
+            }
+            label => label,
+        };
+        self.said.push(Read { label, items });
+    }
+
+    /// Whether a place is said in any way.
+    pub(super) fn has_place(&self) -> bool {
+        !self.places.is_empty() || self.says(Label::At)
+    }
+
+    /// Values for the places that have a word. Of a spline they depend on its knots.
+    fn take_places(&mut self) {
+        let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
+        let (a, b) = match ends {
+            Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }])
+                if let [a, b] = ends.as_slice() =>
+            {
+                (a.clone(), b.clone())
+            }
+            _ => (Expr::int(0), Expr::int(1)),
+        };
+        let unit = ends.is_none();
+        let half = |expr: Expr, by: i64| expr.over(Expr::int(by));
+        for place in std::mem::take(&mut self.places) {
+            let value = match place {
+                Place::Start => a.clone(),
+                Place::End => b.clone(),
+                Place::Middle if unit => half(Expr::int(1), 2),
+                Place::Middle => {
+                    let sum = [&a, &b].map(|end| Term { sign: Sign::Plus, expr: end.clone().grouped() });
+                    half(Expr::sum(sum.into()).grouped(), 2)
+                }
+                Place::Centre => Expr::new(Kind::Tuple(vec![half(Expr::int(1), 3); 3]), Span::default()),
+            };
+            self.said.push(Read { label: Label::At, items: vec![value] });
+        }
+    }
+
+    fn says(&self, label: Label) -> bool {
+        self.said.iter().any(|read| read.label == label)
+    }
+
+    /// Finds the functions that are meant but not named, from what is said.
+    pub(super) fn settle(&mut self) {
+        if self.drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
+            lists::gather(&mut self.items, &mut self.said);
+        }
+        self.take_places();
+        // the quadratic spline (degree 2)
+        let mut degrees: Vec<i64> = Vec::new();
+        self.said.retain(|read| match (read.label, read.items.as_slice()) {
+            (Label::OfDegree, [degree]) => degree.as_int().is_none_or(|degree| {
+                let new = !degrees.contains(&degree);
+                degrees.push(degree);
+                new
+            }),
+            _ => true,
+        });
+        // how many roots
+        if let [outer, inner, ..] = self.drafts.as_mut_slice()
+            && (outer.builtin.name, inner.builtin.name) == ("length", "roots")
+            && let Some(count) = builtin("count_roots")
+        {
+            inner.builtin = count;
+            self.drafts.remove(0);
+        }
+        // the point at 1/3 on the curve (0, 0), (1, 2), (2, 0)
+        if self.drafts.is_empty() && self.items.is_empty() && !self.says(Label::Points) {
+            let curve = |read: &&mut Read| {
+                read.label == Label::Over
+                    && read.items.len() > 1
+                    && read.items.iter().all(|item| matches!(item.kind, Kind::Tuple(_)))
+            };
+            if let Some(read) = self.said.iter_mut().find(curve) {
+                read.label = Label::Points;
+            }
+        }
+        self.meeting();
+        self.roots_within();
+        self.value_outside();
+        // insert the knot 1 once
+        if self.drafts.iter().any(|draft| draft.builtin.name == "insert_knots") {
+            self.said.retain(|read| {
+                read.label != Label::Times
+                    || !matches!(read.items.as_slice(), [one] if one.as_int() == Some(1))
+            });
+        }
+        self.extremes();
+        // the interpolation polynomial of Lagrange
+        let of_data = |name: &str| {
+            ["lagrange", "newton", "hermite", "bezier", "bspline", "patch", "triangle_patch"].contains(&name)
+        };
+        self.drafts.dedup_by(|inner, outer| {
+            let same = inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name);
+            // the Newton form of the interpolant
+            same || inner.builtin.name == "lagrange" && outer.builtin.name == "newton"
+        });
+        self.bases();
+        self.drafts.reverse();
+        self.points_of_formula();
+        self.splines();
+        self.interpolants();
+        notations::exponents(&mut self.items, &mut self.said);
+        let points = self.said.iter().find(|read| read.label == Label::Points);
+        if let (true, true, Some(points)) = (self.drafts.is_empty(), self.items.is_empty(), points)
+            && let Some(curve) = builtin(if self.says(Label::Knots) { "bspline" } else { "bezier" })
+        {
+            let span = points.items.first().map_or(Span::default(), |item| item.span);
+            self.drafts.push(Draft::new(curve, span));
+        }
+        self.curve_for_function();
+        apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.
+    fn extremes(&mut self) {
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        if !matches!(of.name, "max" | "min" | "maximum" | "minimum") {
+            return;
+        }
+        for read in &mut self.said {
+            if let (Label::At, [Expr { kind: Kind::List(_), .. }]) = (read.label, read.items.as_slice()) {
+                read.label = Label::Over;
+            }
+        }
+        let over = self
+            .said
+            .iter()
+            .any(|read| matches!(read.label, Label::Over | Label::In | Label::With | Label::From));
+        let meant = match (of.name, self.items.len() == 1 && over) {
+            ("max", true) => builtin("maximum"),
+            ("min", true) => builtin("minimum"),
+            ("maximum", false) if self.items.len() > 1 => builtin("max"),
+            ("minimum", false) if self.items.len() > 1 => builtin("min"),
+            _ => None,
+        };
+        *of = meant.unwrap_or(of);
+    }
+
+    /// Where curves meet that are given by equations: they are solved together.
+    fn meeting(&mut self) {
+        let equation = |item: &Expr| matches!(&item.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]));
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        let of_them = |read: &Read| read.label == Label::With && read.items.iter().all(equation);
+        let line = |read: &Read| read.label == Label::OfDegree;
+        if of.name != "intersections"
+            || self.items.is_empty()
+            || !self.items.iter().all(equation)
+            || !self.said.iter().all(|read| of_them(read) || line(read))
+        {
+            return;
+        }
+        let Some(solve) = builtin("solve") else { return };
+        *of = solve;
+        self.items
+            .extend(std::mem::take(&mut self.said).into_iter().filter(of_them).flat_map(|read| read.items));
+    }
+
+    /// A curve with the control points that are said, for a function that takes none by itself: control points 1, 3 to monomials.
+    fn curve_for_function(&mut self) {
+        let points = self.items.is_empty() && self.says(Label::Points);
+        let Some(innermost) = self.drafts.first().filter(|_| points) else { return };
+        let takes = |p: &Parameter| {
+            let named = matches!(p.name, "points" | "net" | "curve" | "spline");
+            let of_points = matches!(
+                p.kind,
+                Takes::Points
+                    | Takes::Net
+                    | Takes::Curve
+                    | Takes::Polar
+                    | Takes::Geometry
+                    | Takes::Coordinates
+            );
+            named || of_points
+        };
+        let curve = builtin(if self.says(Label::Knots) { "bspline" } else { "bezier" });
+        if let (false, Some(curve)) = (innermost.builtin.parameters.iter().any(takes), curve) {
+            self.drafts.insert(0, Draft::new(curve, innermost.phrase));
+        }
+    }
+
+    /// The solutions of an equation in an interval are roots there: solve t^2 = 2 for t in [0, 2].
+    fn roots_within(&mut self) {
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        let [Expr { kind: Kind::Chain(_, equation), .. }] = self.items.as_slice() else { return };
+        let pair = |list: &Expr| matches!(&list.kind, Kind::List(ends) if ends.len() == 2);
+        let own = bases(&self.items[0]);
+        let of_it = |letter: &Expr| matches!(&letter.kind, Kind::Name(name) if own.contains(name));
+        let interval = |read: &Read| match read.items.as_slice() {
+            [Expr { kind: Kind::Chain(letter, links), .. }] if of_it(letter) => match links.as_slice() {
+                [Link { rel: Rel::In, expr, .. }] if pair(expr) => Some(expr.clone()),
+                _ => None,
+            },
+            [list] if pair(list) && matches!(read.label, Label::Over | Label::In) => Some(list.clone()),
+            _ => None,
+        };
+        let name = |read: &Read| {
+            read.label == Label::With && matches!(read.items.as_slice(), [letter] if of_it(letter))
+        };
+        let Some(ends) = self.said.iter().find_map(interval) else { return };
+        let others = self.said.iter().filter(|read| interval(read).is_none());
+        if let ("solve", [Link { rel: Rel::Eq, .. }], true, Some(roots)) =
+            (of.name, equation.as_slice(), others.clone().all(name), builtin("roots"))
+        {
+            *of = roots;
+            self.said = vec![Read { label: Label::Over, items: vec![ends] }];
+        }
+    }
+
+    /// The value of a curve outside of its interval: extrapolate 0, 1, 3 to t = 2.
+    fn value_outside(&mut self) {
+        let [Draft { builtin: of, .. }, ..] = self.drafts.as_mut_slice() else { return };
+        let [Read { label: label @ (Label::To | Label::At), items }] = self.said.as_mut_slice() else {
+            return;
+        };
+        let value = match items.as_slice() {
+            [item] => eval::named(item).map(|(_, value)| value.clone()),
+            _ => None,
+        };
+        if let ("part", Some(value), Some(extended)) = (of.name, value, builtin("extended")) {
+            *of = extended;
+            *label = Label::At;
+            *items = vec![value];
+        }
+    }
+
+    /// The basis that a function works with: the mass matrix of the Bernstein polynomials.
+    fn bases(&mut self) {
+        let [outer, inner] = self.drafts.as_mut_slice() else { return };
+        let basis = |p: &&Parameter| matches!(p.kind, Takes::Basis | Takes::BasisOrKnots);
+        if let (Some(parameter), Some(name)) =
+            (outer.builtin.parameters.iter().find(basis), super::basis_of(inner.builtin.name))
+        {
+            outer.named.push((parameter.name, Expr { span: inner.phrase, ..Expr::name(name) }));
+            self.drafts.pop();
+        }
+    }
+
+    /// The control points of the Bézier curve t^2.
+    fn points_of_formula(&mut self) {
+        if let ([Draft { builtin: curve, .. }, Draft { builtin: points, .. }, ..], [formula]) =
+            (self.drafts.as_slice(), self.items.as_slice())
+            && (curve.name, points.name) == ("bezier", "control_points")
+            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        {
+            self.drafts.remove(0);
+        }
+    }
+
+    /// The spline that knots and control points are of: insert knot 1: knots 0, 0, 2, 2, control points 3, 4.
+    fn splines(&mut self) {
+        // insert the knot 1/2 into 0, 0, 1, 1 with control points 0, 2
+        let of_spline = |draft: &Draft| {
+            draft.builtin.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
+        };
+        if self.drafts.first().is_some_and(of_spline) && self.says(Label::Points) && !self.says(Label::Knots)
+        {
+            let several = |read: &&mut Read| {
+                let list = matches!(read.items.as_slice(), [Expr { kind: Kind::List(items), .. }] if items.len() > 2);
+                matches!(read.label, Label::To | Label::In | Label::Over) && (list || read.items.len() > 2)
+            };
+            if let Some(read) = self.said.iter_mut().find(several) {
+                read.label = Label::Knots;
+            }
+        }
+        if let Some(Draft { builtin: first, phrase, .. }) = self.drafts.first()
+            && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
+            && let (true, Some(spline)) = (self.says(Label::Knots), builtin("bspline"))
+        {
+            self.drafts.insert(0, Draft::new(spline, *phrase));
+            self.drafts[1].placed = std::mem::take(&mut self.items);
+        }
+        if self.says(Label::Points)
+            && let Some(basis) = self.drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
+            && let Some(spline) = builtin("bspline")
+        {
+            basis.builtin = spline;
+        }
+    }
+
+    /// The parabola through points.
+    fn interpolants(&mut self) {
+        if let (
+            true,
+            true,
+            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
+        ) = (self.drafts.is_empty(), self.items.is_empty(), self.said.as_slice())
+            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
+            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
+        {
+            self.items.clone_from(points);
+            self.drafts.push(Draft::new(lagrange, self.items[0].span));
+            self.said.clear();
+        }
+    }
+
+    /// What is asked for, where it is a call by itself: the solution of M x = b, an elementary symmetric polynomial.
+    pub(super) fn whole(&self) -> Option<Expr> {
+        let [Draft { builtin, phrase, .. }] = self.drafts.as_slice() else { return None };
+        let [object] = self.items.as_slice() else { return None };
+        match (builtin.name, self.said.as_slice()) {
+            ("esym", []) => notations::symmetric(object),
+            ("solve", [Read { items, .. }]) => match (&object.kind, items.as_slice()) {
+                (Kind::Matrix(..), [item]) => {
+                    let (_, right) = eval::named(item)?;
+                    let vector = matches!(right.kind, Kind::Matrix(..) | Kind::List(_));
+                    vector.then(|| call("solve", vec![object.clone(), right.clone()], *phrase))
+                }
+                _ => None,
+            },
+            // solve [2, 1; 1, 3] x = [3; 5]
+            ("solve", []) => {
+                let Kind::Chain(left, links) = &object.kind else { return None };
+                let (Kind::Mul(factors), [Link { rel: Rel::Eq, expr: right, .. }]) =
+                    (&left.kind, links.as_slice())
+                else {
+                    return None;
+                };
+                match factors.as_slice() {
+                    [matrix @ Expr { kind: Kind::Matrix(..), .. }, Expr { kind: Kind::Name(_), .. }] => {
+                        Some(call("solve", vec![matrix.clone(), right.clone()], *phrase))
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// Puts lists into the notations that they are said for: the B-spline N_{0,2}, the Lagrange polynomial L_1.
+    pub(super) fn put_into_notations(&mut self) {
+        let [one] = self.items.as_slice() else { return };
+        let Some(read) = notations::with_values(one, &mut self.said) else { return };
+        let same =
+            |name: &str| name == read.function || name == "lagrange" && read.function == "lagrange_basis";
+        if self.drafts.first().is_some_and(|draft| same(draft.builtin.name)) {
+            self.drafts.remove(0);
+        }
+        self.formula = Some(read.formula);
+        self.items.clear();
+    }
+
+    /// Gives the innermost function its object; false if it cannot take it.
+    pub(super) fn apply_innermost(&mut self) -> bool {
+        let Some(innermost) = self.drafts.first_mut() else { return true };
+        if self.formula.is_none() && !innermost.is_about(std::mem::take(&mut self.items), &mut self.said) {
+            return false;
+        }
+        innermost.takes_coefficient(&mut self.said);
+        let of_variable = |read: &Read| {
+            let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
+            variable && matches!(read.label, Label::In | Label::To)
+        };
+        if innermost.builtin.name == "derivative"
+            && self.said.iter().any(of_variable)
+            && let Some(of_formulas) = builtin("diff")
+        {
+            innermost.builtin = of_formulas;
+        }
+        true
+    }
+}
+
+/// Whether something is nothing but one point of numbers.
+fn is_point(items: &[Expr]) -> bool {
+    let number = |item: &Expr| matches!(item.kind, Kind::Number(_) | Kind::Div(..));
+    matches!(items, [Expr { kind: Kind::Tuple(items), .. }] if items.iter().all(number))
+}
