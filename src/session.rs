@@ -300,9 +300,8 @@ impl Session {
         let (with_arguments, remark) = self.with_members_called(statement);
         statement = with_arguments;
         let known = |name: &str| defines(&self.env, name);
-        if let Some(problem) =
-            spelling::set_of_numbers(&statement, &known).or_else(|| spelling::degree_last(&statement, &known))
-        {
+        let last = spelling::degree_last(&statement, &known);
+        if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {
@@ -311,7 +310,7 @@ impl Session {
                 spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
                 spelling::differences(&statement, &function, &mut outcome.notes);
-                outcome.notes.extend(remark);
+                outcome.notes.extend(remark.into_iter().chain(last));
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.

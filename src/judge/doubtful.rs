@@ -23,19 +23,21 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                     .at(pair[0].span.to(pair[1].span)),
                 );
             }
-            // [0,1,2]x^2
-            if let (Kind::List(items), [_, _], true) = (&pair[0].kind, factors.as_slice(), touches)
-                && items.len() > 1
-                && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
-            {
-                notes.push(
-                    Diagnostic::note(
-                        Code::AmbiguousProduct,
-                        "the list is read as a factor of what follows it",
-                    )
-                    .hint("a divided difference is written F[0, 1, 2] for a function F")
-                    .at(pair[0].span.to(pair[1].span)),
-                );
+            // [0,1,2]x^2, x^3[0,1,2]
+            let of_numbers = |list: &Expr| {
+                matches!(&list.kind, Kind::List(items)
+                    if items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Number(_))))
+            };
+            if let ([_, _], true) = (factors.as_slice(), touches) {
+                let other = |expr: &Expr| !matches!(expr.kind, Kind::Number(_));
+                let beside = match (of_numbers(&pair[0]), of_numbers(&pair[1])) {
+                    (true, _) => Some("what follows it"),
+                    (_, true) if other(&pair[0]) => Some("what stands before it"),
+                    _ => None,
+                };
+                if let Some(beside) = beside {
+                    notes.push(as_factor(beside).at(pair[0].span.to(pair[1].span)));
+                }
             }
             let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
             let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
@@ -65,11 +67,7 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
         && items.len() > 1
         && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
     {
-        notes.push(
-            Diagnostic::note(Code::AmbiguousProduct, "the list is read as a factor of what follows it")
-                .hint("a divided difference is written F[0, 1, 2] for a function F")
-                .at(expr.span),
-        );
+        notes.push(as_factor("what follows it").at(expr.span));
     }
     // \sum_k 2k + 3k
     if let (Kind::Add(terms), true) = (&expr.kind, latex) {
@@ -114,6 +112,12 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
         );
     }
     expr.for_each_child(&mut |child| products(child, latex, notes));
+}
+
+/// A list that may be meant as the nodes of a divided difference.
+fn as_factor(of: &str) -> Diagnostic {
+    Diagnostic::note(Code::AmbiguousProduct, format!("the list is read as a factor of {of}"))
+        .hint("a divided difference is written F[0, 1, 2] for a function F, after F(t) := t^2")
 }
 
 /// A derivative among the factors of a product.

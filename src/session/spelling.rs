@@ -35,7 +35,7 @@ pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> 
     }
 }
 
-/// Refuses a Bernstein polynomial whose number is larger than its degree: the degree goes before the number here.
+/// Tells of a Bernstein polynomial whose number is larger than its degree: it is 0, and the degree goes before the number here.
 pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
     if let Kind::Apply(callee, groups) = &statement.kind
         && let (Kind::Name(name), Some([degree, number, rest @ ..])) =
@@ -46,12 +46,11 @@ pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
         && i > n
     {
         let rest: String = rest.iter().map(|item| format!(", {}", write::text(item))).collect();
-        let problem = Diagnostic::error(Code::Domain, format!("the degree is {n} here, and the number {i}"))
+        let note = Diagnostic::note(Code::Domain, format!("the degree is {n} here, and the number {i}: 0"))
             .at(degree.span.to(number.span))
             .reason("the degree goes first")
-            .hint(format!("write bernstein({i}, {n}{rest}) for the degree {i}"))
-            .hint(format!("B_i^n with i > n is 0: B_{i}^{n}(t)"));
-        return Some(problem);
+            .hint(format!("write bernstein({i}, {n}{rest}) for the degree {i}"));
+        return Some(note);
     }
     let mut found = None;
     statement.for_each_child(&mut |child| {
