@@ -38,7 +38,7 @@ impl Checker {
         findings: &mut [Finding],
         before: Mark,
     ) {
-        let [(Rel::Eq, _)] = chain.relations.as_slice() else { return };
+        let Some((Rel::Eq, _)) = chain.relations.first() else { return };
         let open = findings[0].verdict == Verdict::Definition && !chain.blocked;
         if !open || !statement.topics.has(Topic::Insertion) {
             return;
@@ -49,6 +49,10 @@ impl Checker {
         };
         if found.verdict == Verdict::Refuted {
             Rc::make_mut(&mut self.context).forget(before);
+        } else if let Some(head) = Head::of(&chain.sides[0].expr)
+            && matches!(chain.sides[1].expr.kind, Kind::Add(_))
+        {
+            self.agreed.push((head.base, statement.place.clone()));
         }
         findings[0] = found;
     }
@@ -61,7 +65,9 @@ impl Checker {
         let i = index.as_int()?;
         let told = self.spline_of(place, &head.base);
         let whole = told.is_some();
-        let spline = told.or_else(|| self.spline_in_parts(statement, &head.base))?;
+        let spline = told
+            .or_else(|| self.spline_in_parts(statement, &head.base))
+            .or_else(|| self.spline_in_a_sum(statement, &head.base))?;
         // The new knot \bar u = 7/2, or a number in passing.
         let named = self.context.definitions.iter().rev().find_map(|definition| match &definition.body {
             Body::Formula(body) if place.knows(&definition.place, definition.assumed) => {
@@ -79,7 +85,17 @@ impl Checker {
                     spline.knots.values().any(|knot| knot < x) && spline.knots.values().any(|knot| knot > x);
                 inside && !spline.knots.values().any(|knot| knot == x)
             };
-            let mut all: Vec<Rational> = self.heard(place).filter_map(number).filter(is_new).collect();
+            let passing =
+                self.context.conditions.iter().filter(|told| place.knows(&told.place, told.assumed));
+            let value = |equation: &'_ Expr| match &equation.kind {
+                Kind::Chain(name, links) if matches!(name.kind, Kind::Name(_)) => {
+                    number(&links.first()?.expr)
+                }
+                _ => None,
+            };
+            let told = passing.filter_map(|told| value(&told.expr));
+            let mut all: Vec<Rational> =
+                self.heard(place).filter_map(number).chain(told).filter(is_new).collect();
             all.dedup();
             <[Rational; 1]>::try_from(all).ok().map(|[x]| x)
         };
@@ -118,6 +134,9 @@ impl Checker {
                 ..finding.clone()
             });
         };
+        // After another new point that agreed nothing else can be meant.
+        let mut agreed = self.agreed.iter();
+        let meant = agreed.any(|(letter, other)| *letter == head.base && place.knows(other, false));
         let start = budget::spent();
         let repaired = repair::edits(right, left, &None)
             .into_iter()
@@ -125,7 +144,8 @@ impl Checker {
             .find(|edit| {
                 let tally = tried(edit);
                 tally.fails.is_empty() && tally.holds > 0
-            })?;
+            })
+            .or_else(|| meant.then(|| wanted.clone()))?;
         Some(Finding {
             verdict: Verdict::Refuted,
             reason: Some("it differs from the control point after knot insertion".to_owned()),
@@ -181,6 +201,28 @@ impl Checker {
         let points = first.find(|letter| last.contains(letter))?;
         let from_first = knots.keys().next() == Some(&0);
         (from_first && count > degree).then_some(Spline { degree, points, knots })
+    }
+
+    /// A spline that a formula gives as a sum of B-splines, s = Σ d_i N_{i,2}, with its knots by number.
+    fn spline_in_a_sum(&self, statement: &Statement, new: &str) -> Option<Spline> {
+        let place = &statement.place;
+        let knots = self.context.given_knots(&self.context.knot_letters(place, &[]), place);
+        let mut near =
+            self.context.definitions.iter().rev().filter(|own| place.knows(&own.place, own.assumed));
+        let (points, size) = near.find_map(|own| {
+            let Body::Formula(body) = &own.body else { return None };
+            let mut size = None;
+            walk(body, &mut |part| {
+                let spline = Head::of(part).filter(|head| head.base == "N");
+                size = size.take().or_else(|| {
+                    spline.and_then(|head| head.lower.iter().skip(1).chain(&head.upper).next_back().cloned())
+                });
+            });
+            Some((self.points_of_sum(&own.head.base, place)?, size?))
+        })?;
+        let order = self.context.spline_has_this_degree(&size, place) == Some(false);
+        let degree = size.as_int()? - i64::from(order);
+        (points != new && !knots.is_empty()).then_some(Spline { degree, points, knots })
     }
 
     /// The letter of the control points in s(x) = Σ d_i N_{i,n}(x).
