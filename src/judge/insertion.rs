@@ -96,11 +96,18 @@ impl Checker {
             let told = passing.filter_map(|told| value(&told.expr));
             let mut all: Vec<Rational> =
                 self.heard(place).filter_map(number).chain(told).filter(is_new).collect();
+            all.sort();
             all.dedup();
-            <[Rational; 1]>::try_from(all).ok().map(|[x]| x)
+            all
         };
-        let x = named.as_ref().and_then(number);
-        let x = if whole { x.or_else(|| number(&self.parameter_heard(place)?)) } else { x.or_else(new) }?;
+        let x = named.as_ref().and_then(number).or_else(|| {
+            let (all, heard) = (new(), self.parameter_heard(place).as_ref().and_then(number));
+            match all.as_slice() {
+                [x] => Some(x.clone()),
+                [] => heard.filter(|_| whole),
+                _ => heard.filter(|x| whole && all.contains(x)),
+            }
+        })?;
         let (from, to) = (spline.knots.get(&i)?, spline.knots.get(&(i + spline.degree))?);
         let ratio = match from < to {
             true => (&x - from) / (to - from),

@@ -66,7 +66,10 @@ const JOINTS: &[&str] = &["and", "but", "while", "whereas", "und", "aber", "wäh
 /// Cost: linear in the words.
 pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let left = normal(left);
-    let clause = left.rsplit([',', ';', ':', '，', '；', '：', '(']).next().unwrap_or_default();
+    // "Es wäre falsch, hier … zu schreiben"
+    let infinitive = right.trim_start().starts_with("zu ");
+    let ends: &[char] = if infinitive { &[';', ':'] } else { &[',', ';', ':', '，', '；', '：', '('] };
+    let clause = left.rsplit(ends).next().unwrap_or_default();
     let verb = |word: &str| UNREAL.contains(&word) || CONDITIONAL.iter().any(|end| word.ends_with(end));
     if clause.split(' ').any(verb) || calls_wrong(clause) {
         return true;
