@@ -222,6 +222,7 @@ const REASONS = {
     ["it may be said of one {} that exists", "也许只是说存在这样一个 {}"],
     ["it needs to be known what a function of integers is", "需要知道整数的函数是什么"],
     ["it may be an equation to be solved", "也许是待解的方程"],
+    ["it may be an equation for {}", "也许是关于 {} 的方程"],
     ["it may be a congruence", "也许是同余式"],
     ["it may be a division with remainder", "也许是带余除法"],
     ["it may be an inverse function", "也许是反函数"],
