@@ -280,7 +280,8 @@ pub fn decide(
         });
         // c_3 = 5, after c_i = …, where all that this is made of is known.
         let constant = is_constant(&failure.left) && is_constant(&failure.right);
-        let member = (constant || differs_by_a_number(&failure)) && of_family();
+        let member =
+            (constant || is_constant(&failure.right) && failure.differs_by_a_number()) && of_family();
         if member {
             return refuted(failure);
         }
@@ -605,12 +606,6 @@ fn renames_its_letters(failure: &Failure) -> bool {
 
 fn is_constant(value: &Value) -> bool {
     value.as_rational().is_some()
-}
-
-/// Whether the sides differ by a number, after all that is known.
-fn differs_by_a_number(failure: &Failure) -> bool {
-    let Outcome::Fails(judgement) = &failure.outcome else { return false };
-    is_constant(&failure.right) && judgement.difference.as_ref().is_some_and(is_constant)
 }
 
 fn is_argument(symbol: &Symbol, side: &Expr) -> bool {

@@ -27,6 +27,21 @@ pub struct Failure {
     pub right: Value,
 }
 
+impl Failure {
+    /// Left minus right, after all that is known, if that is one value.
+    pub fn difference(&self) -> Option<&Value> {
+        match &self.outcome {
+            Outcome::Fails(judgement) => judgement.difference.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// Whether the sides differ by a number, after all that is known.
+    pub fn differs_by_a_number(&self) -> bool {
+        self.difference().is_some_and(|value| value.as_rational().is_some())
+    }
+}
+
 /// How the instances of one relation went.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel, interval};
-use crate::judge::compare::{self, Outcome};
+use crate::judge::compare;
 use crate::judge::context::{Body, Definition, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
@@ -408,8 +408,6 @@ impl Suspect<'_> {
         let Some(head) = head.filter(|head| head.lower.iter().chain(&head.upper).all(number)) else {
             return false;
         };
-        let Outcome::Fails(judgement) = &self.failure.outcome else { return false };
-        let differ = judgement.difference.as_ref().is_some_and(|value| value.as_rational().is_some());
         let place = &self.statement.place;
         let family = |definition: &Definition| {
             definition.head.base == head.base
@@ -417,7 +415,7 @@ impl Suspect<'_> {
                 && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
         };
         let claimed = self.claimed() || self.statement.concludes;
-        claimed && differ && bases(right).is_empty() && self.used().any(family)
+        claimed && self.failure.differs_by_a_number() && bases(right).is_empty() && self.used().any(family)
     }
 
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.

@@ -295,10 +295,9 @@ impl Suspect<'_> {
 
     /// Whether the sides differ, after all that is known, by something in members that a side does not name.
     fn is_in_letters_beyond(&self, side: &Expr) -> bool {
-        let Outcome::Fails(judgement) = &self.failure.outcome else { return false };
         let own = bases(side);
         let other = |symbol: &Symbol| !symbol.is_plain() && !own.contains(symbol.base());
-        judgement.difference.as_ref().is_some_and(|value| compare::symbols(value).iter().any(other))
+        self.failure.difference().is_some_and(|value| compare::symbols(value).iter().any(other))
     }
 
     fn sides(&self) -> [&Expr; 2] {
@@ -441,8 +440,7 @@ impl Suspect<'_> {
     fn has_no_solution(&self) -> bool {
         match (&self.failure.left, &self.failure.right) {
             (Value::Scalar(left), Value::Scalar(right)) => {
-                let difference = left.minus(right);
-                difference.numerator().as_constant().is_some() || difference.as_rational().is_some()
+                left.minus(right).numerator().as_constant().is_some()
             }
             _ => false,
         }
