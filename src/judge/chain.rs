@@ -142,6 +142,8 @@ impl Checker {
             .map(|head| self.context.with_pairs_apart(head))
             .filter(|_| joins.is_none())
             .filter(|head| !self.is_power_of_member(head, &chain.sides[1].expr, place))
+            // D = d/dt is the operator.
+            .filter(|_| !matches!(chain.sides[1].expr.kind, Kind::Derivative { body: None, .. }))
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {
