@@ -162,10 +162,7 @@ impl Session {
         };
         // Given b0 = 1, b1 = 3, b2 = 1, find the point at t = 1/2: the definitions are data of a request.
         let Ok(Some(formula)) = self.spoken(file, whole) else { return Err(failure) };
-        let note = read_as(&formula, whole);
-        let mut answer = self.evaluated(file, formula, equals, false).map_err(|_| failure)?;
-        answer.outcome.notes.insert(0, note);
-        Ok(vec![answer])
+        self.evaluated_as(file, formula, whole, equals).map(|answer| vec![answer]).map_err(|_| failure)
     }
 
     /// Runs a part of a file as a formula, a request or a sentence.
@@ -244,11 +241,9 @@ impl Session {
             None => self.spoken(file, whole)?,
         };
         if let Some(formula) = formula.or_else(|| self.called_in_words(file, whole)) {
-            let read = read_as(&formula, whole);
             let mut answer = self
-                .evaluated(file, formula, equals, false)
+                .evaluated_as(file, formula, whole, equals)
                 .map_err(|failure| self.with_what_is_missing(file, whole, failure))?;
-            answer.outcome.notes.insert(0, read);
             answer.outcome.fails =
                 matches!(&answer.outcome.value, Value::Derivation(shown) if shows_negative_value(shown));
             return Ok(vec![answer]);
@@ -289,6 +284,20 @@ impl Session {
         Ok(answers)
     }
 
+    /// A formula that words stand for, with the remark how they were read.
+    fn evaluated_as(
+        &mut self,
+        file: &SourceFile,
+        formula: Expr,
+        words: Span,
+        equals: Equals,
+    ) -> Result<Answer, Box<Failure>> {
+        let note = read_as(&formula, words);
+        let mut answer = self.evaluated(file, formula, equals, false)?;
+        answer.outcome.notes.insert(0, note);
+        Ok(answer)
+    }
+
     fn evaluated(
         &mut self,
         file: &SourceFile,
@@ -300,7 +309,6 @@ impl Session {
         let (with_arguments, remark) = self.with_members_called(statement);
         statement = with_arguments;
         let known = |name: &str| defines(&self.env, name);
-        let last = spelling::degree_last(&statement, &known);
         if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
@@ -310,7 +318,8 @@ impl Session {
                 spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
                 spelling::differences(&statement, &function, &mut outcome.notes);
-                outcome.notes.extend(remark.into_iter().chain(last));
+                outcome.notes.extend(remark);
+                outcome.notes.extend(spelling::degree_last(&statement, &|name| defines(&self.env, name)));
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.

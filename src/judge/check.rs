@@ -247,7 +247,7 @@ impl Checker {
         if names.is_empty() || !names.iter().all(known) {
             return None;
         }
-        let (before, after) = side.latex.split_once('=')?;
+        let (before, after) = side.latex.rsplit_once('=')?;
         let side = |expr: &Expr, latex: &str| Side { expr: expr.clone(), latex: latex.trim().to_owned() };
         Some(Chain::new(vec![side(left, before), side(right, after)], vec![(Rel::Eq, *span)]))
     }

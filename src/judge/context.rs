@@ -163,6 +163,17 @@ impl Definition {
     }
 }
 
+/// The name and the value without names that an equation gives it: u = 5/2.
+pub(super) fn value_given(equation: &Expr) -> Option<(&str, &Expr)> {
+    let Kind::Chain(left, links) = &equation.kind else { return None };
+    match (&left.kind, links.as_slice()) {
+        (Kind::Name(name), [link]) if link.rel == Rel::Eq && bases(&link.expr).is_empty() => {
+            Some((name.as_str(), &link.expr))
+        }
+        _ => None,
+    }
+}
+
 impl Context {
     /// Nothing known but how letters are used.
     pub fn new(letters: Letters) -> Self {
@@ -248,15 +259,7 @@ impl Context {
 
     /// The values that names were said to have at some places: τ = 5/2.
     pub fn values_heard(&self, here: impl Fn(&Place) -> bool) -> impl Iterator<Item = (&str, &Expr)> {
-        self.heard.iter().filter(move |(place, _)| here(place)).filter_map(|(_, expr)| {
-            let Kind::Chain(left, links) = &expr.kind else { return None };
-            match (&left.kind, links.as_slice()) {
-                (Kind::Name(name), [link]) if link.rel == Rel::Eq && bases(&link.expr).is_empty() => {
-                    Some((name.as_str(), &link.expr))
-                }
-                _ => None,
-            }
-        })
+        self.heard.iter().filter(move |(place, _)| here(place)).filter_map(|(_, expr)| value_given(expr))
     }
 
     /// The sizes that were named at some places, each with its number: n = 2.

@@ -24,13 +24,9 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                 );
             }
             // [0,1,2]x^2, x^3[0,1,2]
-            let of_numbers = |list: &Expr| {
-                matches!(&list.kind, Kind::List(items)
-                    if items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Number(_))))
-            };
             if let ([_, _], true) = (factors.as_slice(), touches) {
                 let other = |expr: &Expr| !matches!(expr.kind, Kind::Number(_));
-                let beside = match (of_numbers(&pair[0]), of_numbers(&pair[1])) {
+                let beside = match (is_list_of_numbers(&pair[0]), is_list_of_numbers(&pair[1])) {
                     (true, _) => Some("what follows it"),
                     (_, true) if other(&pair[0]) => Some("what stands before it"),
                     _ => None,
@@ -63,9 +59,8 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
     // [0,1,2] 1/x
     if let Kind::Div(above, below, Quotient::Slash) = &expr.kind
         && let (Kind::Mul(factors), Kind::Name(_)) = (&above.kind, &below.kind)
-        && let [Expr { kind: Kind::List(items), .. }, Expr { kind: Kind::Number(_), .. }] = factors.as_slice()
-        && items.len() > 1
-        && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
+        && let [list, Expr { kind: Kind::Number(_), .. }] = factors.as_slice()
+        && is_list_of_numbers(list)
     {
         notes.push(as_factor("what follows it").at(expr.span));
     }
@@ -112,6 +107,11 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
         );
     }
     expr.for_each_child(&mut |child| products(child, latex, notes));
+}
+
+fn is_list_of_numbers(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::List(items)
+        if items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Number(_))))
 }
 
 /// A list that may be meant as the nodes of a divided difference.

@@ -109,17 +109,20 @@ impl Checker {
                     && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
             });
             // So do those for all its members here.
-            let mut members = Vec::new();
-            for side in sides {
-                walk(side, &mut |part| {
-                    let own = |head: &Head| head.base == base && !head.lower.is_empty();
-                    members.extend(Head::of(part).filter(own).map(|head| Head { upper: Vec::new(), ..head }));
-                });
-            }
-            let defined =
-                defined || !members.is_empty() && members.iter().all(|member| self.is_covered(member, place));
+            let members_defined = || {
+                let mut members = Vec::new();
+                for side in sides {
+                    walk(side, &mut |part| {
+                        let own = |head: &Head| head.base == base && !head.lower.is_empty();
+                        members.extend(
+                            Head::of(part).filter(own).map(|head| Head { upper: Vec::new(), ..head }),
+                        );
+                    });
+                }
+                !members.is_empty() && members.iter().all(|member| self.is_covered(member, place))
+            };
             match &self.context.object_called(&base, place)?.object.sort {
-                Sort::Other(words) if !defined => {
+                Sort::Other(words) if !defined && !members_defined() => {
                     Some(format!("it fails for some values, but {base} is said to be: {words}"))
                 }
                 _ => None,

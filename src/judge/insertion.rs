@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Body, Mark};
+use super::context::{Body, Mark, value_given};
 use super::finding::{Finding, Verdict};
 use super::model::Choices;
 use super::names::{Head, walk};
@@ -87,15 +87,9 @@ impl Checker {
             };
             let passing =
                 self.context.conditions.iter().filter(|told| place.knows(&told.place, told.assumed));
-            let value = |equation: &'_ Expr| match &equation.kind {
-                Kind::Chain(name, links) if matches!(name.kind, Kind::Name(_)) => {
-                    number(&links.first()?.expr)
-                }
-                _ => None,
-            };
-            let told = passing.filter_map(|told| value(&told.expr));
+            let told = passing.filter_map(|told| Some(value_given(&told.expr)?.1));
             let mut all: Vec<Rational> =
-                self.heard(place).filter_map(number).chain(told).filter(is_new).collect();
+                self.heard(place).chain(told).filter_map(number).filter(is_new).collect();
             all.sort();
             all.dedup();
             all

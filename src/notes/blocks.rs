@@ -159,7 +159,7 @@ impl Changes {
     /// Words that put other data in the place of those before, or end a sentence that has data of its own.
     pub(super) fn words(&mut self, words: &str) {
         let ends = self.passing && speech::ends_a_sentence(words);
-        self.so_far += u32::from(ends || speech::changes_data(words));
+        self.so_far += u32::from(ends || speech::changes_data(words, self.foreign));
         self.passing &= !ends;
     }
 

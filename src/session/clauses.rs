@@ -44,9 +44,7 @@ impl Session {
         }
         let Some(formula) = self.spoken(file, body)? else { return Ok(None) };
         let definition = define(formula);
-        let note = super::read_as(&definition, whole);
-        let mut answer = self.evaluated(file, definition, Equals::DefinesUnbound, false)?;
-        answer.outcome.notes.insert(0, note);
+        let answer = self.evaluated_as(file, definition, whole, Equals::DefinesUnbound)?;
         Ok(Some(vec![answer]))
     }
 }

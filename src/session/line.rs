@@ -142,10 +142,7 @@ impl Session {
                 }
             }
             if let Some(formula) = self.unknown_of(file, piece.span, &conditions) {
-                let note = read_as(&formula, piece.span);
-                let mut answer = self.evaluated(file, formula, Equals::Claims, false)?;
-                answer.outcome.notes.insert(0, note);
-                answers.push(answer);
+                answers.push(self.evaluated_as(file, formula, piece.span, Equals::Claims)?);
                 continue;
             }
             let said = match conditions.is_empty() {
@@ -183,10 +180,7 @@ impl Session {
         let Some((formula, true)) = self.spoken_about(file, span, topic)? else {
             return self.run_part(file, span, equals);
         };
-        let note = read_as(&formula, span);
-        let mut answer = self.evaluated(file, formula, equals, false)?;
-        answer.outcome.notes.insert(0, note);
-        Ok(vec![answer])
+        Ok(vec![self.evaluated_as(file, formula, span, equals)?])
     }
 
     /// The equations of conditions, to be solved for a name that is asked for and has no value: x + a = 0, find a.

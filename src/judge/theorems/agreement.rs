@@ -41,13 +41,16 @@ impl Claim<'_> {
         instances: &'a [Instance<'b>],
         known: &[Agreement],
     ) -> Option<&'a Instance<'b>> {
+        if known.is_empty() || members(self.right) < 2 {
+            return None;
+        }
+        let own = bases(self.right);
         let mut same = instances.iter().filter(|instance| {
             let [left, right] = &instance.sides;
             instance.standing == Standing::Certain
                 && !instance.apart
                 && left.same_as(self.left)
-                && bases(right) == bases(self.right)
-                && members(self.right) > 1
+                && bases(right) == own
                 && known.iter().any(|agreement| agreement.speaks_of(self, instance))
         });
         let first = same.next()?;

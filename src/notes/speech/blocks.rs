@@ -51,16 +51,17 @@ pub fn gives_example(words: &str) -> bool {
     LANGUAGES.iter().flat_map(|language| language.recalls.running).any(|cue| last.contains(cue))
 }
 
-/// Whether words put other data in the place of those before: "if now b_1 is replaced by …", "with t = 1 instead".
-pub fn changes_data(words: &str) -> bool {
+/// Whether words put other data in the place of those before: "if now b_1 is replaced by …", "with t = 1 instead";
+/// on a page in a language that is not understood, also those of others: "substituirmos" is there what "replace" is here, while
+/// "substituting" changes nothing.
+pub fn changes_data(words: &str, foreign: bool) -> bool {
     let text = words.to_lowercase();
     let begins =
         |cue: &str| text.match_indices(cue).any(|(at, _)| !text.piece(..at).ends_with(char::is_alphanumeric));
-    let known = LANGUAGES.iter().any(|language| {
+    LANGUAGES.iter().any(|language| {
         let mut cues = language.recalls.changed.iter();
         cues.any(|cue| if language.spaced { begins(cue) } else { text.contains(cue) })
-    });
-    known || super::tongue::CHANGED.iter().any(|cue| begins(cue))
+    }) || foreign && super::tongue::CHANGED.iter().any(|cue| begins(cue))
 }
 
 /// Whether a sentence ends within these words or right before them.

@@ -40,7 +40,7 @@ const WRONG: &[&str] = &[
     "不正确",
 ];
 
-const NOT: &[&str] = &["not", "never", "no", "nicht", "nie", "pas", "kein", "keine"];
+const NOT: &[&str] = &["not", "never", "nicht", "nie", "pas", "kein", "keine"];
 
 /// Mistakes that a sentence may tell of at length.
 const MISTAKES: &[&str] = &[
@@ -83,10 +83,7 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
 /// Whether words deny what follows them: "but not".
 pub fn denies(words: &str) -> bool {
     let text = plain(words);
-    text.contains('不')
-        || text
-            .split(' ')
-            .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
+    text.contains('不') || text.split(' ').any(|word| NOT.contains(&word))
 }
 
 /// Whether words begin with "and", "but" or the like.
@@ -106,7 +103,7 @@ fn calls_wrong(clause: &str) -> bool {
             let before = clause.piece(..at);
             let begins = !before.ends_with(char::is_alphabetic) || !wrong.is_ascii();
             let last = before.split_whitespace().next_back().unwrap_or_default();
-            begins && !NOT.contains(&last) && !before.ends_with('不')
+            begins && last != "no" && !NOT.contains(&last) && !before.ends_with('不')
         })
     })
 }

@@ -1,5 +1,6 @@
 //! A request while it is put together: its functions, their object, and what is said of them.
 
+use super::super::systems::is_equation;
 use super::draft::{self, Draft};
 use super::{Read, apposition, lists, notations};
 use crate::formula::source::Span;
@@ -188,13 +189,12 @@ impl Utterance {
 
     /// Where curves meet that are given by equations: they are solved together.
     fn meeting(&mut self) {
-        let equation = |item: &Expr| matches!(&item.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]));
         let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
-        let of_them = |read: &Read| read.label == Label::With && read.items.iter().all(equation);
+        let of_them = |read: &Read| read.label == Label::With && read.items.iter().all(is_equation);
         let line = |read: &Read| read.label == Label::OfDegree;
         if of.name != "intersections"
             || self.items.is_empty()
-            || !self.items.iter().all(equation)
+            || !self.items.iter().all(is_equation)
             || !self.said.iter().all(|read| of_them(read) || line(read))
         {
             return;
