@@ -195,7 +195,7 @@ proptest! {
     #[test]
     fn layout_does_not_matter(names in prop::collection::vec("[a-z]{1,3}", 1..8), blanks in "[ \t]{1,3}") {
         // These are no names, or none where another name follows.
-        let words = ["and", "for", "in", "if", "hat", "bar", "vec", "dot"];
+        let words = ["and", "for", "in", "if", "hat", "bar", "vec", "dot", "mod"];
         prop_assume!(names.iter().all(|name| !words.contains(&name.as_str()) && parse(name).is_ok()));
         let plain = names.join(" ");
         let wide = names.join(&blanks);
