@@ -76,6 +76,8 @@ pub enum Topic {
     Scheme,
     /// Bilinear patches.
     Bilinear,
+    /// Splines with the slopes of Catmull and Rom.
+    CatmullRom,
 }
 
 /// The topics by the words of the table of theorems.
@@ -113,6 +115,7 @@ const WORDS: &[(&str, Topic)] = &[
     ("recursion", Topic::Recursion),
     ("symmetric", Topic::Symmetric),
     ("scheme", Topic::Scheme),
+    ("catmull-rom", Topic::CatmullRom),
 ];
 
 impl Topic {

@@ -17,6 +17,7 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+use super::forms::with_windows;
 use super::letters::Profile;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::topic::{Topic, Topics};
@@ -139,8 +140,9 @@ impl Theorem {
                 if link.rel != Rel::Eq {
                     return Err("no equation".to_owned());
                 }
-                let profile = Profile::of(&[&left, &link.expr], &BTreeSet::new(), &|_| false);
-                let (left, right) = (left.without_spans(), link.expr.clone().without_spans());
+                let (left, right) = (with_windows(&left), with_windows(&link.expr));
+                let profile = Profile::of(&[&left, &right], &BTreeSet::new(), &|_| false);
+                let (left, right) = (left.without_spans(), right.without_spans());
                 let (misremembered, conventions) = Default::default();
                 self.equations.push(Equation { left, right, order, profile, misremembered, conventions });
             }

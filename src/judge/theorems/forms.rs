@@ -1,6 +1,6 @@
 //! The forms in which a claim is compared with theorems: notations that mean the same are written in one way.
 
-use crate::formula::{Expr, Kind};
+use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, walk};
 use crate::language::lexicon::families;
 
@@ -132,5 +132,33 @@ pub(super) fn without_marks(expr: &Expr) -> Expr {
     }
     let mut result = expr.clone();
     unmark(&mut result);
+    result
+}
+
+/// So far a sum without bounds is written out: its terms are compared as they stand.
+const WINDOW: i64 = 4;
+
+/// A formula in which sums over all integers, \sum_j and \sum_{j \in \mathbb Z}, have few terms.
+pub(super) fn with_windows(expr: &Expr) -> Expr {
+    let mut result = expr.clone();
+    result.for_each_child_mut(&mut |child| *child = with_windows(child));
+    let Kind::Big { op: BigOp::Sum, lower, upper: upper @ None, .. } = &mut result.kind else {
+        return result;
+    };
+    let index = match lower.as_slice() {
+        [Expr { kind: Kind::Chain(index, links), .. }] => {
+            let all = matches!(links.as_slice(), [link] if link.rel == Rel::In
+                && matches!(&link.expr.kind, Kind::Name(set) if set == "ℤ"));
+            all.then(|| index.as_ref().clone())
+        }
+        [index] => Some(index.clone()),
+        _ => None,
+    };
+    if let Some(index) = index.filter(|index| matches!(index.kind, Kind::Name(_))) {
+        let span = index.span;
+        let link = Link { rel: Rel::Eq, span, expr: Expr::int(0) };
+        *lower = vec![Expr::new(Kind::Chain(Box::new(index), vec![link]), span)];
+        *upper = Some(Box::new(Expr::int(WINDOW)));
+    }
     result
 }

@@ -15,7 +15,7 @@ use crate::judge::names::{Head, bases, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
 use crate::language::value::Value;
-use crate::math::number::{Rational, binomial, integer};
+use crate::math::number::{Rational, binomial, exact_root, integer};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use num_traits::{One, Signed, Zero};
 
@@ -152,8 +152,13 @@ impl Free {
         if let Kind::Name(word) = &callee.kind {
             match (word.as_str(), groups) {
                 ("det", [vectors]) => return Some(self.alternating(machine, "det", vectors)),
+                ("area", [corners]) => return Some(Self::area(machine, corners)),
                 ("sqrt", [group]) if group.len() == 1 => {
-                    return Some(machine.eval(&group[0]).and_then(|value| self.root(&value)));
+                    return Some(machine.eval(&group[0]).and_then(|value| self.root(&value, 2)));
+                }
+                ("root", [group]) if group.len() == 2 => {
+                    let order = machine.eval_int(&group[1]);
+                    return Some(order.and_then(|order| self.root(&machine.eval(&group[0])?, order)));
                 }
                 _ => {}
             }
@@ -187,16 +192,33 @@ impl Free {
         }))
     }
 
+    /// The area of a triangle, whichever way round it is told.
+    fn area(machine: &mut Machine, corners: &[Expr]) -> Evaluated {
+        let mut names = Vec::new();
+        for corner in corners {
+            let Value::Scalar(value) = machine.eval(corner)? else {
+                return Err(open("what this point is", Some(corner)));
+            };
+            names.push(value.to_string());
+        }
+        names.sort();
+        Ok(Value::symbol(Symbol::new(format!("area({})", names.join(";")))))
+    }
+
     /// The root of a product of squares is a product, any other one is a letter.
-    fn root(&self, value: &Value) -> Evaluated {
+    fn root(&self, value: &Value, order: i64) -> Evaluated {
         let Value::Scalar(value) = value else { return Err(open("what this root is", None)) };
+        if order == 1 {
+            return Ok(Value::Scalar(value.clone()));
+        }
         if let (Some(_), Some(number)) = (&self.world, value.as_rational()) {
-            let root = crate::judge::roots::square_root(&number).and_then(|root| root.as_rational());
+            let root = u32::try_from(order).ok().and_then(|order| exact_root(&number, order));
             return root
                 .map(|root| Value::Scalar(root.into()))
                 .ok_or_else(|| open("what this root is", None));
         }
-        Ok(Value::symbol(Symbol::new(format!("sqrt({value})"))))
+        let sign = if order == 2 { "sqrt".to_owned() } else { format!("root{order}") };
+        Ok(Value::symbol(Symbol::new(format!("{sign}({value})"))))
     }
 
     /// A function that is linear in each of its arguments and alternates.

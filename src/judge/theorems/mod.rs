@@ -25,7 +25,9 @@ use std::rc::Rc;
 
 use self::entry::{Theorem, known};
 use self::fit::{Claim, Instance, Standing};
-use self::forms::{main_case, with_indices_apart, with_repetitions, without_marks, without_parameters};
+use self::forms::{
+    main_case, with_indices_apart, with_repetitions, with_windows, without_marks, without_parameters,
+};
 use self::letters::{Profile, Said, ways};
 use super::agreement::Agreement;
 use super::check::Checker;
@@ -97,7 +99,8 @@ impl Checker {
         let suggestion = |sides: [&Expr; 2]| self.suggestion(chain, at, sides, &[], statement);
         let known = known();
         let polar = statement.topics.has(Topic::PolarForm);
-        let plain = with_indices_apart([left, right]).map(|side| with_repetitions(&side, polar));
+        let plain =
+            with_indices_apart([left, right]).map(|side| with_windows(&with_repetitions(&side, polar)));
         let marked = plain.each_ref().map(without_marks);
         let bare = marked.each_ref().map(without_parameters);
         let mut forms = vec![plain, marked, bare];
@@ -149,10 +152,11 @@ impl Checker {
         let own = Head::of(&chain.sides[0].expr).map(|head| head.base);
         let mut result = side.clone();
         let head = Head::of(side).filter(|head| head.arguments.is_none());
-        let head = head.filter(|head| !head.lower.is_empty() || !is_index_letter(&head.base));
         let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
-        if head.as_ref().is_some_and(given)
+        if let Some(head) = head.filter(given)
             && let Some(value) = self.unfolded(side, place, Choices::default())
+            // A count stays as it is, the midpoint m does not.
+            && (!head.lower.is_empty() || !is_index_letter(&head.base) || contains_members(&value))
         {
             return value.without_spans();
         }
@@ -370,6 +374,13 @@ impl Checker {
             Trial::new(nothing, &setting, vec![one, other], vec![Rel::Eq], Choices::default(), &self.limits);
         repair::is_true(&trial.first(4), true) && repair::is_true(&trial.run(), false)
     }
+}
+
+/// Whether members of families stand in a formula.
+fn contains_members(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| found |= matches!(part.kind, Kind::Subscript(..)));
+    found
 }
 
 /// What a section and the form of a claim in it speak of.

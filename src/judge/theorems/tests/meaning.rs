@@ -105,6 +105,8 @@ impl Behind {
             "v" if self.is("interval") => self.number("u") + integer(2) + rational(1, 3),
             "w" if self.is("interval") => self.number("v") + rational(7, 5),
             "h" => rational(3, 2),
+            // Where only the functions of a window are not 0.
+            "x" if self.is("window") => rational(23, 5),
             "x" if self.is("cardinal") => rational(6 + self.seed.rem_euclid(10), 5),
             "x" if self.is("knots") => rational(16 + self.seed, 5),
             _ => random(self.seed, letter.bytes().map(i64::from).sum()),
@@ -186,6 +188,9 @@ impl Behind {
             }
             sum
         };
+        if let Some(value) = self.other_function(base, indices, at) {
+            return Some(value);
+        }
         match (base, indices, at) {
             ("B", [i, k], [x]) => Some(value(&derived(&bernstein(*i, *k), order), x)),
             ("B", [i, j, k, n], [_]) if i + j + k == *n => {
@@ -324,6 +329,12 @@ impl Behind {
                 Some(self.member("w", &[i])? * if weighted { self.member("b", &[i])? } else { integer(1) })
             })
         };
+        if self.is("vertex") && self.integer("n") != Some(4) {
+            return None;
+        }
+        if let Some(value) = self.other_member(base, indices) {
+            return Some(value);
+        }
         match (base, indices) {
             (letter, []) if self.is("middle") && letter == "s" => {
                 Some(value(&homogeneous(true), &rational(1, 2)) / value(&homogeneous(false), &rational(1, 2)))

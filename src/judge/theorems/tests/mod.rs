@@ -4,6 +4,7 @@
 //! derivatives are taken from `math`, and points are values of the polar form.
 
 mod meaning;
+mod nets;
 mod spoilt;
 
 use std::rc::Rc;
@@ -17,19 +18,15 @@ use crate::judge::integers::as_values;
 use crate::judge::letters::Letters;
 use crate::judge::model::{Choices, Model, holds};
 use crate::judge::statement::Place;
-use crate::math::number::{Rational, integer, rational};
+use crate::judge::topic::Topic;
+use crate::math::number::{Rational, exact_root, integer};
 use crate::math::poly::Fraction;
 use num_traits::Zero;
 
 use self::meaning::*;
 
-/// Both sides in one instance.
-fn sides(
-    theorem: &Theorem,
-    equation: &Equation,
-    rights: &[&crate::formula::Expr],
-    behind: &Behind,
-) -> Option<Vec<Fraction>> {
+/// The reading of an equation in which its letters are known.
+fn reading(theorem: &Theorem, equation: &Equation, behind: &Behind) -> Rc<Free> {
     let integers = behind.integers.clone();
     let arity = |(letter, arity): &(String, crate::formula::Expr)| {
         let value =
@@ -39,12 +36,22 @@ fn sides(
     let arities: Vec<(String, usize)> = theorem.polar.iter().filter_map(arity).collect();
     let world = behind.clone();
     let place = Place::default();
-    let free = Rc::new(Free {
+    Rc::new(Free {
         model: Model::new(Rc::new(Context::new(Letters::default())), place, Choices::default(), None),
         functions: Rc::new(equation.profile.functions(&arities)),
         raised: Rc::new(equation.profile.raised.clone()),
         world: Some(Rc::new(move |atom: &Atom| world.atom(atom))),
-    });
+    })
+}
+
+/// Both sides in one instance.
+fn sides(
+    theorem: &Theorem,
+    equation: &Equation,
+    rights: &[&crate::formula::Expr],
+    behind: &Behind,
+) -> Option<Vec<Fraction>> {
+    let free = reading(theorem, equation, behind);
     std::iter::once(&equation.left)
         .chain(rights.iter().copied())
         .map(|side| free.value(side, &behind.integers))
@@ -154,7 +161,7 @@ fn all() -> Vec<Theorem> {
     files.iter().flat_map(|file| of_text(std::fs::read_to_string(file).unwrap().leak())).collect()
 }
 
-/// Curvature and torsion of x with x' = 5 n (…), so that lengths are rational.
+/// Curvature and torsion of a curve p/w by the rules for quotients; p(0) = 0, and lengths are rational.
 #[test]
 fn curvature_and_torsion_follow_from_derivatives() {
     let points: [[i64; 3]; 5] = [[0, 0, 0], [3, 4, 0], [3, 4, 2], [1, 7, 5], [2, 2, 9]];
@@ -162,45 +169,55 @@ fn curvature_and_torsion_follow_from_derivatives() {
         |rows: &[[Rational; 3]], a: usize, b: usize| &rows[0][a] * &rows[1][b] - &rows[0][b] * &rows[1][a];
     let cross = |rows: &[[Rational; 3]]| [minor(rows, 1, 2), minor(rows, 2, 0), minor(rows, 0, 1)];
     let dot = |a: &[Rational; 3], b: &[Rational; 3]| &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2];
+    let legs: Vec<[Rational; 3]> =
+        (0..3usize).map(|i| [0, 1, 2].map(|k| integer(points[i + 1][k] - points[i][k]))).collect();
+    let own = cross(&legs[..2]);
+    let own_square = dot(&own, &own);
     let mut seen = 0;
-    for n in 3..=4i64 {
-        let coordinate = |k: usize| curve_of(n, &|i| Some(integer(points[i as usize][k])));
-        let derivative =
-            |order: i64| [0, 1, 2].map(|k| value(&derived(&coordinate(k), order), &Rational::zero()));
-        let [one, two, three] = [1, 2, 3].map(derivative);
-        let normal = cross(&[one.clone(), two.clone()]);
-        let (speed, square) = (integer(5 * n), dot(&normal, &normal));
-        let legs: Vec<[Rational; 3]> =
-            (0..3usize).map(|i| [0, 1, 2].map(|k| integer(points[i + 1][k] - points[i][k]))).collect();
-        let own = cross(&legs[..2]);
-        let own_square = dot(&own, &own);
-        for theorem in all().iter().filter(|theorem| theorem.meaning == "elsewhere") {
-            for equation in &theorem.equations {
-                let text = crate::language::write::text(&equation.right);
-                // The numbers that stand for lengths and determinants are put in the place of them.
-                let factor = match theorem.name.contains("torsion") {
-                    true => {
-                        let torsion = dot(&normal, &three) / &square;
-                        torsion * &own_square / dot(&own, &legs[2])
-                    }
-                    // κ² of both, as the length of the normal is a root.
-                    false => {
-                        let curvature = &square / (&speed * &speed * &speed * &speed * &speed * &speed);
-                        let bare = &own_square / integer(5i64.pow(6));
-                        let ratio = curvature / bare;
-                        let wanted = rational(n - 1, n);
-                        assert_eq!(ratio, &wanted * &wanted, "{text}");
-                        wanted
-                    }
-                };
-                let crate::formula::Kind::Mul(factors) = &equation.right.kind else { panic!("{text}") };
-                let number = evaluator::machine()
-                    .with_locals(as_values(&[("n".to_owned(), n)]), |machine| machine.eval(&factors[0]))
-                    .unwrap();
-                assert_eq!(number.as_rational(), Some(factor), "{text}");
-                seen += 1;
-            }
+    for theorem in all().iter().filter(|theorem| theorem.meaning == "elsewhere") {
+        for (n, equation) in (3..=4i64).flat_map(|n| theorem.equations.iter().map(move |one| (n, one))) {
+            let behind = Behind {
+                meaning: theorem.meaning,
+                integers: vec![("n".to_owned(), n)],
+                order: false,
+                variables: Vec::new(),
+                seed: 4,
+            };
+            let weight = |i: i64| match theorem.is_about(Topic::Rational) {
+                true => behind.member("w", &[i]),
+                false => Some(integer(1)),
+            };
+            let at_zero = |of: &Coefficients, order: i64| value(&derived(of, order), &Rational::zero());
+            let w = curve_of(n, &weight);
+            let coordinate = |k: usize| {
+                let p = curve_of(n, &|i| Some(weight(i)? * integer(points[i as usize][k])));
+                let [w0, w1, w2] = [0, 1, 2].map(|order| at_zero(&w, order));
+                let one = at_zero(&p, 1) / &w0;
+                let two = (at_zero(&p, 2) - integer(2) * &one * &w1) / &w0;
+                let three = (at_zero(&p, 3) - integer(3) * (&two * &w1 + &one * &w2)) / &w0;
+                [one, two, three]
+            };
+            let [x, y, z] = [0, 1, 2].map(coordinate);
+            let [one, two, three] = [0, 1, 2].map(|k| [x[k].clone(), y[k].clone(), z[k].clone()]);
+            let normal = cross(&[one.clone(), two]);
+            let (speed, square) = (dot(&one, &one), dot(&normal, &normal));
+            let text = crate::language::write::text(&equation.right);
+            // Lengths and determinants are put in the place of their formulas.
+            let factor = match theorem.name.contains("torsion") {
+                true => dot(&normal, &three) / &square * &own_square / dot(&own, &legs[2]),
+                // κ² of both, as the length of the normal is a root.
+                false => {
+                    let ratio = &square / (&speed * &speed * &speed) * integer(5i64.pow(6)) / &own_square;
+                    let parts = if text.contains("area") { 2 } else { 1 };
+                    exact_root(&ratio, 2).unwrap() * integer(parts)
+                }
+            };
+            let crate::formula::Kind::Mul(factors) = &equation.right.kind else { panic!("{text}") };
+            let numbers = crate::formula::Expr::product(factors[..factors.len() - 1].to_vec());
+            let number = reading(theorem, equation, &behind).value(&numbers, &behind.integers).unwrap();
+            assert_eq!(number.as_rational(), Some(factor), "{text}");
+            seen += 1;
         }
     }
-    assert!(seen > 4);
+    assert!(seen > 12);
 }
