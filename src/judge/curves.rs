@@ -18,6 +18,9 @@ use crate::math::poly::Symbol;
 /// So many curves of a section are looked at, the latest first.
 const MOST_CURVES: usize = 3;
 
+/// The letters of weights.
+const WEIGHTS: [&str; 2] = ["w", "omega"];
+
 /// A letter that no page has, for a curve without a name.
 const CURVE: &str = "\u{25ab}";
 
@@ -72,11 +75,8 @@ impl Checker {
             Topic::Elevation,
             Topic::Subdivision,
         ];
-        // Without their weights the points of a rational curve say nothing of it.
-        let rational = statement.topics.has(Topic::Rational);
-        if !rational && (bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)))
-        {
-            found.extend(self.curves_by_points(new, place));
+        if bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)) {
+            found.extend(self.curves_by_points(new, place, statement.topics.has(Topic::Rational)));
         }
         found.truncate(MOST_CURVES);
         found
@@ -187,8 +187,8 @@ impl Checker {
         defined.chain(heard).take(MOST_CURVES).filter_map(curve).collect()
     }
 
-    /// P_0 = (0, 0), P_1 = (1, 2), P_2 = (3, 3)
-    fn curves_by_points(&self, new: &New, place: &Place) -> Vec<Curve> {
+    /// P_0 = (0, 0), P_1 = (1, 2), P_2 = (3, 3). Without their weights the points of a rational curve say nothing of it.
+    fn curves_by_points(&self, new: &New, place: &Place, rational: bool) -> Vec<Curve> {
         let index = |head: &Head| {
             head.index().filter(|_| head.arguments.is_none() && head.upper.is_empty())?.as_int()
         };
@@ -198,17 +198,23 @@ impl Checker {
                 && (new.arguments > 0 || head.base != new.letter)
                 && place.knows(&definition.place, definition.assumed)
         });
-        let curve = |letter: &str| {
+        let known = |letter: &str| -> Vec<Expr> {
             let known = |i: &i64| {
                 self.context
                     .visible(letter, place)
                     .any(|(_, definition, near)| near && index(&definition.head) == Some(*i))
             };
-            let points: Vec<Expr> = (0..).take_while(known).map(|i| Expr::indexed(letter, i)).collect();
+            (0..).take_while(known).map(|i| Expr::indexed(letter, i)).collect()
+        };
+        let curve = |letter: &str| {
+            let points = known(letter);
+            let weights = WEIGHTS.iter().map(|letter| known(letter)).find(|weights| !weights.is_empty());
+            let weights = weights.filter(|_| rational).unwrap_or_default();
             let degree = Expr::int(points.len() as i64 - 1);
-            (points.len() > 2).then(|| Curve {
+            let whole = points.len() > 2 && (!rational || weights.len() == points.len());
+            (whole && !WEIGHTS.contains(&letter)).then(|| Curve {
                 points: Some(letter.to_owned()),
-                object: Some(bezier_curve(points, &degree)),
+                object: Some(Object { weights, ..bezier_curve(points, &degree) }),
                 ..Curve::new(Expr::name(CURVE), degree)
             })
         };

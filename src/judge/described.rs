@@ -244,12 +244,22 @@ impl Checker {
                 suggestion: None,
                 ..finding.clone()
             };
-            // c_0 = b_0 and c_0 = 4 are true with many meanings.
-            let several = !bases(right).is_empty() || right.items().is_some();
-            let tells = !certain && Head::of(right).is_none() && several;
+            // c_0 = b_0 and c_0 = 4 are true with many meanings, c_1 = 4 with few.
+            let inner = |index: &Expr| {
+                index.as_int().is_some_and(|at| at > 0 && meaning.degree().is_some_and(|last| at < last))
+            };
+            let several = !bases(right).is_empty()
+                || right.items().is_some()
+                || Head::of(&new.side).is_some_and(|head| head.index().is_some_and(inner));
+            let named = Head::of(right).is_some_and(|head| head.arguments.is_none());
+            let tells = !certain && !named && several;
             return Some((held, tells.then_some(meaning)));
         }
-        let [(failure, meaning)] = failures.as_slice() else { return None };
+        // Points that are told by words and by formulas are one curve.
+        let (failure, meaning) = failures.first()?;
+        if failures.iter().any(|(other, _)| other.left != failure.left || other.right != failure.right) {
+            return None;
+        }
         // A number is one slip away from many of those that a new point may be.
         let telling = !bases(right).is_empty() || matches!(meaning.made, Made::PolarForm);
         let mut near = || telling && self.is_one_slip_from(new, meaning, &chain, statement);
@@ -270,7 +280,9 @@ impl Checker {
         let point = itself
             && new.point.is_some()
             && !statement.topics.has(Topic::Join)
-            && is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default());
+            && (is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default())
+                // x(1/2) = (4/5, 3/5) beside points in the plane and their weights
+                || meaning.curve.has_weights() && is_like(&failure.left, &failure.right));
         let evidence = match (certain, own || point) {
             (true, _) => Evidence::Names,
             (_, true) => Evidence::Field,
@@ -472,6 +484,16 @@ impl Meaning {
         }
     }
 
+    /// The number of the last of the points that it gives.
+    fn degree(&self) -> Option<i64> {
+        let by = match self.made {
+            Made::Elevated(by) => by,
+            Made::Part(..) => 0,
+            _ => return None,
+        };
+        Some(self.curve.degree.as_int()? + by)
+    }
+
     /// Whether it tells the control points of the curve, or another formula for it.
     fn has_points(&self) -> bool {
         self.curve.object.as_ref().is_none_or(|object| !object.points.is_empty())
@@ -518,6 +540,12 @@ fn is_mean_of(value: &Value, letter: &str) -> bool {
         && polynomial.variables().iter().all(|symbol| symbol.base() == letter)
         && formula.value(&|_: &Symbol| Some(integer(0))) == Some(integer(0))
         && formula.value(&one) == Some(integer(1))
+}
+
+/// Whether both are points with as many coordinates.
+fn is_like(left: &Value, right: &Value) -> bool {
+    let count = |value: &Value| value.clone().coordinates().map(|all| all.len()).filter(|count| *count > 1);
+    count(left).is_some() && count(left) == count(right)
 }
 
 /// The function and the number of arguments of x'(0), x''(a).

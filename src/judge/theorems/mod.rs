@@ -144,7 +144,8 @@ impl Checker {
             Body::Formula(body) => uses(body),
             Body::Value(_) => false,
         });
-        matches!(right.kind, Kind::Apply(..)) && !used
+        let root = |callee: &Expr| matches!(&callee.kind, Kind::Name(word) if matches!(word.as_str(), "sqrt" | "root"));
+        matches!(&right.kind, Kind::Apply(callee, _) if !root(callee)) && !used
     }
 
     /// A side with what the page says that members of its families are, other than the one it is about.

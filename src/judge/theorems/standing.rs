@@ -162,7 +162,7 @@ impl Checker {
     }
 
     /// How many derivatives of two curves agree where they meet, as C^2 or equations F''(a) = G''(a) say, if they
-    /// say one thing.
+    /// say one thing; where both C^1 and C^2 are spoken of, the last of them in the paragraph.
     pub(super) fn smoothness(&self, place: &Place) -> Option<i64> {
         let derived = |side: &Expr| match &side.kind {
             Kind::Apply(callee, _) => match &callee.kind {
@@ -173,10 +173,14 @@ impl Checker {
         };
         let mut said: BTreeSet<i64> = BTreeSet::new();
         let mut equated: BTreeSet<i64> = BTreeSet::new();
-        for (_, expr) in self.context.heard.iter().filter(|(other, _)| place.knows(other, false)) {
+        let mut latest = None;
+        for (other, expr) in self.context.heard.iter().filter(|(other, _)| place.knows(other, false)) {
             match &expr.kind {
                 Kind::Pow(base, order) if matches!(&base.kind, Kind::Name(name) if name == "C") => {
                     said.extend(order.as_int());
+                    if other.group == place.group {
+                        latest = order.as_int();
+                    }
                 }
                 Kind::Chain(left, links) => {
                     if let [link] = links.as_slice()
@@ -198,6 +202,7 @@ impl Checker {
             (Some(least), Some(most), None) if least == most => Some(*least),
             (Some(least), Some(most), Some(reached)) if least == most && *least == reached => Some(reached),
             (None, None, reached) => reached,
+            (Some(_), Some(_), None) => latest,
             _ => None,
         }
     }

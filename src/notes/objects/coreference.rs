@@ -6,10 +6,12 @@
 
 use super::Reader;
 use super::subject::{ends, left_side, name_in};
+use super::tokens::Token;
 use crate::formula::{Expr, Kind};
 use crate::judge::names::Head;
 use crate::judge::object::{Object, Sort, UNNAMED};
-use crate::notes::speech::Word;
+use crate::judge::topic::{Topic, Topics};
+use crate::notes::speech::{self, Word};
 
 /// What was spoken of.
 #[derive(Default)]
@@ -91,6 +93,14 @@ impl Reader<'_> {
         }
         let curve = matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve);
         let number = (from..to).find_map(|at| self.formula_at(at));
+        // "The left half is a cubic curve with the control points …": no curve of its own
+        if be && curve && self.is_part(from - 1) {
+            if let Some(number) = number {
+                let of_part = Object { names: object.points, ..Object::new(Sort::ControlPoints) };
+                self.found.entry(number).or_default().push(of_part);
+            }
+            return;
+        }
         // "Converted into Bézier form with the Bézier points …" is the same curve.
         let form = object.sort == Sort::BezierCurve
             && !new
@@ -136,6 +146,16 @@ impl Reader<'_> {
             object.names = vec![name];
             self.talk.unnamed = Some(object);
         }
+    }
+
+    /// Whether the words before a verb speak of a part of a curve.
+    fn is_part(&self, verb: usize) -> bool {
+        let Some(Token::Unknown(words)) = verb.checked_sub(1).map(|subject| &self.tokens[subject]) else {
+            return false;
+        };
+        let mut topics = Topics::default();
+        speech::topics(words, &mut topics);
+        [Topic::Half, Topic::Second, Topic::Subdivision].into_iter().any(|topic| topics.has(topic))
     }
 
     /// "The same curve has the control points …"

@@ -27,7 +27,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use self::attributes::is_call;
 use self::coreference::Talk;
 use self::facts::{are_coordinates, in_order};
-use self::page::{Page, formulas, sections};
+use self::page::{Page, by_members, formulas, sections};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
 use self::tables::Row;
@@ -45,6 +45,7 @@ use crate::language::lexicon::roles::is_variable;
 /// Cost: linear in the words, times the number of phrases.
 pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let formulas = formulas(statements);
+    let apart = by_members(&formulas);
     let places =
         statements.iter().map(|statement| (statement.place.formula, statement.place.clone())).collect();
     let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
@@ -68,7 +69,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         let tokens = without_smoothness(tokens(sentence), &formulas);
         let mut reader = Reader {
             tokens,
-            formulas: &formulas,
+            formulas: &apart,
             places: &places,
             talk,
             count,

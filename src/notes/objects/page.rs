@@ -82,6 +82,30 @@ pub(super) fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
     found
 }
 
+/// What formulas say of each member: (b_0, b_1, b_2) = (1, 4, 2) is b_0 = 1, b_1 = 4, b_2 = 2.
+pub(super) fn by_members(formulas: &BTreeMap<usize, Vec<Expr>>) -> BTreeMap<usize, Vec<Expr>> {
+    let apart = |said: &Expr| match &said.kind {
+        Kind::Chain(first, links) => members(first, links).unwrap_or_else(|| vec![said.clone()]),
+        _ => vec![said.clone()],
+    };
+    formulas.iter().map(|(number, said)| (*number, said.iter().flat_map(apart).collect())).collect()
+}
+
+fn members(first: &Expr, links: &[Link]) -> Option<Vec<Expr>> {
+    let [link] = links else { return None };
+    let (names, values) = (first.items()?, link.expr.items()?);
+    let base = |expr: &Expr| Head::of(expr).filter(|head| head.index().is_some()).map(|head| head.base);
+    let own = base(names.first()?)?;
+    let family = names.len() > 2 && names.iter().all(|name| base(name).as_ref() == Some(&own));
+    (family && link.rel == Rel::Eq && names.len() == values.len()).then(|| {
+        let one = |(name, value): (&Expr, &Expr)| {
+            let link = Link { expr: value.clone(), ..link.clone() };
+            Expr::new(Kind::Chain(Box::new(name.clone()), vec![link]), first.span)
+        };
+        names.iter().zip(values).map(one).collect()
+    })
+}
+
 /// Whether it lists members of one family in their order: u_0 < u_1 < … < u_m.
 fn is_ordered(first: &Expr, links: &[Link]) -> bool {
     let base = |expr: &Expr| Head::of(expr).filter(|head| head.index().is_some()).map(|head| head.base);

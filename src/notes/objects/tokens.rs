@@ -31,7 +31,81 @@ pub(super) fn tokens(sentence: &[Piece]) -> Vec<Token> {
             Piece::Words(words) => words_of(after_ordinal(words, &mut found), &mut found),
         }
     }
-    without_asides(found)
+    without_asides(with_coefficients(found))
+}
+
+/// Coefficients in the Bernstein basis of a degree, wherever the sentence names the basis, are Bézier coefficients of that
+/// degree; others are numbers.
+fn with_coefficients(mut tokens: Vec<Token>) -> Vec<Token> {
+    let basis = |token: &Token| matches!(token, Token::Word(Word::Noun(Sort::Bernstein)));
+    let word = |token: &Token| matches!(token, Token::Word(Word::Coefficients));
+    let (bases, all) =
+        (tokens.iter().filter(|t| basis(t)).count(), tokens.iter().filter(|t| word(t)).count());
+    let places = (tokens.iter().position(basis), tokens.iter().position(word));
+    if let ((Some(basis), Some(at)), (1, 1)) = (places, (bases, all)) {
+        let between = &tokens[basis.min(at) + 1..basis.max(at)];
+        if !between.iter().any(|token| matches!(token, Token::Word(Word::Noun(_)))) {
+            return in_basis(tokens, basis, at);
+        }
+    }
+    for token in tokens.iter_mut().filter(|token| word(token)) {
+        *token = Token::Word(Word::Noun(Sort::Symbols));
+    }
+    tokens
+}
+
+/// "The coefficients b_0, b_1, b_2 in the quadratic Bernstein basis": the quadratic Bézier coefficients b_0, b_1, b_2.
+fn in_basis(mut tokens: Vec<Token>, basis: usize, at: usize) -> Vec<Token> {
+    let degree = |token: &Token| match token {
+        Token::Word(Word::OfDegree(degree)) => Some(*degree),
+        _ => None,
+    };
+    let leads = |token: &Token| {
+        is_filler(token)
+            || matches!(token, Token::Unknown(_))
+            || matches!(
+                token,
+                Token::Word(
+                    Word::Article | Word::Der | Word::On | Word::Preposition | Word::OfDegree(_) | Word::By
+                )
+            )
+    };
+    let mut from = basis;
+    while from > 0 && leads(&tokens[from - 1]) {
+        from -= 1;
+    }
+    // … basis B_0^2, B_1^2, B_2^2
+    let mut to = basis + 1;
+    while matches!(tokens.get(to), Some(Token::Formula(_)))
+        || to > basis + 1 && matches!(tokens[to - 1..].get(..2), Some([Token::Comma, Token::Formula(_)]))
+    {
+        to += 1;
+    }
+    let (own, number) = match tokens.get(to..) {
+        Some([Token::Word(Word::Of), Token::Word(Word::Degree), Token::Number(degree), ..]) => {
+            (3, Some(*degree))
+        }
+        Some([Token::Word(Word::Of), Token::Word(Word::Degree), Token::Formula(_), ..]) => (3, None),
+        _ => (0, None),
+    };
+    let number = number.or_else(|| tokens[from..basis].iter().find_map(degree));
+    // "of degree n" stays behind its noun.
+    let size: Vec<Token> = if number.is_none() { tokens[to..to + own].to_vec() } else { Vec::new() };
+    let adjective = number.map(|degree| Token::Word(Word::OfDegree(degree)));
+    let noun = adjective.into_iter().chain([Token::Word(Word::Noun(Sort::ControlPoints))]).chain(size);
+    let noun: Vec<Token> = noun.collect();
+    let rest = from..to + own;
+    match basis < at {
+        true => {
+            tokens.splice(at..=at, noun);
+            tokens.drain(rest);
+        }
+        false => {
+            tokens.drain(rest);
+            tokens.splice(at..=at, noun);
+        }
+    }
+    tokens
 }
 
 /// Whether a token changes nothing.

@@ -119,6 +119,8 @@ pub enum Word {
     Support,
     /// "a": what follows says what a name is.
     Article,
+    /// "coefficients": with respect to a basis.
+    Coefficients,
     /// "symmetric".
     Symmetric,
     /// "biaffine": affine in each argument, of which there are so many.
