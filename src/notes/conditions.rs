@@ -172,6 +172,7 @@ fn give_intervals(statements: &mut [Statement]) {
         if !opens && let Some(before) = at.checked_sub(1).map(|before| &mut statements[before]) {
             let near = before.place.group == group && before.place.formula + 1 == formula;
             if let (true, Said::Chain(chain)) = (near, &mut before.said) {
+                give_parameter(chain, &expr);
                 place(chain, &[]);
             }
             continue;
@@ -190,6 +191,22 @@ fn give_intervals(statements: &mut [Statement]) {
                 _ => {}
             }
         }
+    }
+}
+
+/// "N_{i,0} = 1 on [t_i, t_{i+1})": a function without its parameter, N_{i,0}(x).
+fn give_parameter(chain: &mut Chain, interval: &Expr) {
+    let used = bases(interval);
+    let Some(letter) = ["t", "x", "u", "s"].into_iter().find(|letter| !used.contains(*letter)) else {
+        return;
+    };
+    if let [left, right] = chain.sides.as_mut_slice()
+        && bases(&right.expr).is_empty()
+        && let Some(head) = Head::of(&left.expr).filter(|head| head.arguments.is_none())
+        && head.lower.iter().chain(&head.upper).any(|index| !bases(index).is_disjoint(&used))
+    {
+        let callee = Box::new(left.expr.clone());
+        left.expr = Expr::new(Kind::Apply(callee, vec![vec![Expr::name(letter)]]), left.expr.span);
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
-use crate::judge::context::{Source, is_variable};
-use crate::judge::names::{Head, is_extreme, is_index_letter};
+use crate::judge::context::{Body, Definition, Source, is_variable};
+use crate::judge::names::{Head, bases, is_extreme, is_index_letter};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -28,7 +28,9 @@ impl Model {
             return None;
         }
         if !self.is_function(machine, callee) {
-            return self.as_product(machine, callee, groups, None, expr);
+            return self
+                .as_value_of_formula(machine, callee, groups)
+                .or_else(|| self.as_product(machine, callee, groups, None, expr));
         }
         if let Some(result) = self.functional(machine, callee, groups) {
             return Some(result);
@@ -82,6 +84,48 @@ impl Model {
             }
         }
         Some(self.apply(machine, callee, &values, expr))
+    }
+
+    /// q(2t - 1), where the page says q = x^2 - 1: a product, or the value at 2t - 1.
+    fn as_value_of_formula(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        groups: &[Vec<Expr>],
+    ) -> Option<Evaluated> {
+        let [group] = groups else { return None };
+        let [argument @ Expr { kind: Kind::Add(_) | Kind::Mul(_) | Kind::Number(_) | Kind::Div(..), .. }] =
+            group.as_slice()
+        else {
+            return None;
+        };
+        let head = Head::of(callee).filter(|head| head.arguments.is_none())?;
+        let formula = |definition: &Definition| match &definition.body {
+            Body::Formula(body) => {
+                Head::of(body).is_none() && bases(body).iter().any(|name| is_variable(name))
+            }
+            Body::Value(_) => false,
+        };
+        let near = self.context.visible(&head.base, &self.place).find(|(_, _, near)| *near);
+        if !near.is_some_and(|(_, definition, _)| formula(definition)) {
+            return None;
+        }
+        let Ok(Value::Scalar(value)) = machine.eval(callee) else { return None };
+        let [variable] = <[Symbol; 1]>::try_from(value.variables()).ok()?;
+        if !variable.is_plain() || !is_variable(variable.base()) {
+            return None;
+        }
+        self.ambiguous(Ambiguity::Applied);
+        if !self.choices.applied {
+            return None;
+        }
+        Some(machine.eval(argument).and_then(|argument| match argument {
+            Value::Scalar(at) => match value.substitute(&[(variable, at)]) {
+                Ok(value) => Ok(Value::Scalar(value)),
+                Err(_) => Err(unclear("what this value is", callee)),
+            },
+            _ => Err(unclear("what this argument is", callee)),
+        }))
     }
 
     /// f_0(1 - t)^2, where the page applies f to nothing and says f_0 by itself: a product.

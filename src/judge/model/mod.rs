@@ -60,6 +60,8 @@ pub struct Choices {
     pub spline_degree: bool,
     /// t_1 t_2 + … + t_4 t_5 has all products of two, not only those of neighbours.
     pub all_products: bool,
+    /// q(2t - 1), where the page says q = x^2 - 1, is a value and no product.
+    pub applied: bool,
     /// The formula is about functions in general: those defined elsewhere by one formula are not
     /// meant.
     pub general: bool,
@@ -81,6 +83,7 @@ impl Choices {
             Ambiguity::Power => &mut self.powers,
             Ambiguity::Spline => &mut self.spline_degree,
             Ambiguity::Dots => &mut self.all_products,
+            Ambiguity::Applied => &mut self.applied,
         }
     }
 }
@@ -154,6 +157,8 @@ pub enum Ambiguity {
     Spline,
     /// t_1 t_2 + … + t_4 t_5.
     Dots,
+    /// q(2t - 1).
+    Applied,
 }
 
 /// The curve that a sentence speaks of.
