@@ -286,6 +286,7 @@ impl Checker {
         self.by_description(chain, statement, &mut findings, before);
         self.by_scheme(chain, statement, &mut findings);
         self.by_insertion(chain, statement, &mut findings, before);
+        self.by_own_values(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
         Ok(findings)
     }

@@ -119,7 +119,8 @@ impl Checker {
                         );
                     });
                 }
-                !members.is_empty() && members.iter().all(|member| self.is_covered(member, place))
+                let said = |member: &Head| self.is_covered(member, place) || self.has_formula(member, place);
+                !members.is_empty() && members.iter().all(said)
             };
             match &self.context.object_called(&base, place)?.object.sort {
                 Sort::Other(words) if !defined && !members_defined() => {
@@ -127,6 +128,22 @@ impl Checker {
                 }
                 _ => None,
             }
+        })
+    }
+
+    /// Whether a formula for a member stands among the conditions, as for r_{cd}, whose index is none.
+    fn has_formula(&self, member: &Head, place: &Place) -> bool {
+        let own = |side: &Expr| {
+            Head::of(side).is_some_and(|head| {
+                head.base == member.base
+                    && head.lower.len() == member.lower.len()
+                    && head.lower.iter().zip(&member.lower).all(|(one, other)| one.same_as(other))
+            })
+        };
+        self.context.conditions.iter().any(|fact| {
+            place.knows(&fact.place, false)
+                && matches!(&fact.expr.kind, Kind::Chain(left, links) if own(left)
+                    && matches!(links.as_slice(), [link] if link.rel == Rel::Eq))
         })
     }
 

@@ -14,6 +14,7 @@ mod fit;
 mod forms;
 mod free;
 mod letters;
+mod own_values;
 mod roles;
 mod slips;
 mod standing;
