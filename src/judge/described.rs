@@ -25,7 +25,7 @@ use super::topic::Topic;
 use super::trial;
 use super::witness;
 use crate::budget;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Accent, Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::number::integer;
@@ -206,6 +206,15 @@ impl Checker {
     ) -> Option<(Finding, Option<Meaning>)> {
         let place = &statement.place;
         let right = &chain.sides[1].expr;
+        // b'(t) = 3 (b_1^2 - b_0^2): points of a scheme, whose numbers belong to one t.
+        let scheme = |part: &Expr| {
+            matches!(part.kind, Kind::Pow(..) | Kind::Upper(..))
+                && Head::of(part).is_some_and(|head| !head.lower.is_empty() && !head.upper.is_empty())
+        };
+        let everywhere = bases(&chain.sides[0].expr).iter().any(|name| is_variable(name));
+        if new.arguments == 1 && everywhere && right.has(&scheme) {
+            return None;
+        }
         let sides = [&new.side, right].map(|expr| Side { expr: expr.clone(), latex: String::new() });
         let chain = Chain { sides: sides.into(), relations: vec![chain.relations[0]], ..chain.clone() };
         let told = self
@@ -276,13 +285,17 @@ impl Checker {
         // P(t) is on the curve with the points P_i.
         let itself = matches!(meaning.made, Made::Itself | Made::Coordinate(_));
         let own = itself && meaning.curve.points.as_ref() == Some(&new.letter);
+        // The complementary segment is often called \bar x.
+        let plain = !new.names.iter().any(|name| {
+            name.has(&|part| matches!(part.kind, Kind::Accent(Accent::Bar | Accent::Hat | Accent::Tilde, _)))
+        });
         // "For t = 1/2 we get the point c(1/2) = (b_0 + 2 b_1 + b_2)/4": a point made of its control points
         let point = itself
             && new.point.is_some()
             && !statement.topics.has(Topic::Join)
             && (is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default())
                 // x(1/2) = (4/5, 3/5) beside points in the plane and their weights
-                || meaning.curve.has_weights() && is_like(&failure.left, &failure.right));
+                || meaning.curve.has_weights() && plain && is_like(&failure.left, &failure.right));
         let evidence = match (certain, own || point) {
             (true, _) => Evidence::Names,
             (_, true) => Evidence::Field,

@@ -111,7 +111,10 @@ impl Checker {
         let general = sides.iter().any(|side| !integer_names(side).is_empty());
         let definitions = self.context.definitions.iter().filter(|own| {
             let base = &own.head.base;
-            reached.contains(base) && (!general && data(own) || again(own)) && earlier(&own.place)
+            // T_n(x) is that of another function.
+            let one =
+                own.head.arguments.is_some() && own.head.lower.iter().any(|index| index.as_int().is_some());
+            reached.contains(base) && ((!general || one) && data(own) || again(own)) && earlier(&own.place)
         });
         let definitions = definitions.map(|own| (own.head.base.clone(), own.line));
         let number = |expr: &Expr| bases(expr).is_empty();

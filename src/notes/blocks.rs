@@ -148,6 +148,8 @@ pub(super) struct Changes {
     passing: bool,
     /// Whether words that are not understood may change data in each paragraph.
     foreign: bool,
+    /// A list of numbers that the page gave.
+    listed: Option<String>,
 }
 
 impl Changes {
@@ -166,6 +168,16 @@ impl Changes {
     /// A formula after some words.
     pub(super) fn formula(&mut self, before: &str, text: &str) {
         self.passing |= text.contains('=') && speech::is_for_some_data(before);
+        // "With the ordinates 1, -1, 1 … With 1, -2, 1 …"
+        let number = |c: char| c.is_ascii_digit() || "-,;. \\frac{}()tbl/".contains(c);
+        if text.contains([',', ';'])
+            && text.chars().all(number)
+            && text.contains(|c: char| c.is_ascii_digit())
+        {
+            let other = self.listed.as_ref().is_some_and(|known| known != text);
+            self.so_far += u32::from(other && speech::is_with_some_data(before));
+            self.listed = Some(text.to_owned());
+        }
     }
 
     /// A paragraph begins.
@@ -174,7 +186,8 @@ impl Changes {
     }
 }
 
-/// "For c = (1, -1, 1) … For c = (1, 0, 1) …": what comes after a name gets another value is said of other data.
+/// "For c = (1, -1, 1) … For c = (1, 0, 1) …", "For f(x) = e^x … For f(x) = 1/(1-x) …": what comes after a name gets
+/// another value is said of other data.
 ///
 /// Cost: linear in the statements.
 pub(super) fn count_new_values(statements: &mut [Statement]) {
@@ -193,7 +206,10 @@ pub(super) fn count_new_values(statements: &mut [Statement]) {
         let named = Head::of(&name.expr).is_some_and(|head| {
             head.arguments.is_none() && !(head.lower.is_empty() && is_variable(&head.base))
         });
-        if !named || !bases(&value.expr).is_empty() {
+        let function =
+            Head::of(&name.expr).is_some_and(|head| head.arguments.is_some() && head.lower.is_empty());
+        let case = function && speech::opens_data(&statement.gap);
+        if !case && (!named || !bases(&value.expr).is_empty()) {
             continue;
         }
         let now = (statement.place.scope.clone(), write::text(&value.expr));

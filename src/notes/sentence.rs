@@ -135,7 +135,15 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
 /// The words around each formula, in their order.
 fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     let mut found: Vec<Around> = Vec::new();
+    let mut before = 0;
     for sentence in sentences {
+        // "…. This is false"
+        if let Some(Piece::Words(words)) = sentence.first()
+            && speech::calls_that_wrong(words)
+        {
+            found[before..].iter_mut().for_each(|around| around.mistaken = true);
+        }
+        before = found.len();
         let (mut left, mut first) = (String::new(), true);
         let (mut ours, mut proves, mut mistaken) = (false, false, false);
         let asks = is_question(sentence);

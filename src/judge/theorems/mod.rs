@@ -123,7 +123,9 @@ impl Checker {
                 && self.names_a_value(left, right);
             match self.among(&claim, &instances, finding, names, &long, &suggestion) {
                 Some(Some(found)) => {
-                    return Some(found).filter(|(found, _)| !doubt || found.verdict != Verdict::Refuted);
+                    let open =
+                        !doubt && !self.is_function_of_its_own(&chain.sides[at].expr, &statement.place);
+                    return Some(found).filter(|(found, _)| open || found.verdict != Verdict::Refuted);
                 }
                 Some(None) => doubt = true,
                 None => {}
@@ -147,6 +149,18 @@ impl Checker {
         });
         let root = |callee: &Expr| matches!(&callee.kind, Kind::Name(word) if matches!(word.as_str(), "sqrt" | "root"));
         matches!(&right.kind, Kind::Apply(callee, _) if !root(callee)) && !used
+    }
+
+    /// Whether a member without arguments is a function for which the page has a formula: \beta_k^m, after \beta_k^m(x) = ….
+    fn is_function_of_its_own(&self, member: &Expr, place: &Place) -> bool {
+        let Some(head) = Head::of(member).filter(|head| head.arguments.is_none() && !head.lower.is_empty())
+        else {
+            return false;
+        };
+        let mut known = self.context.visible(&head.base, place);
+        known.any(|(_, own, near)| {
+            near && own.head.arguments.is_some() && own.head.lower.len() == head.lower.len()
+        })
     }
 
     /// A side with what the page says that members of its families are, other than the one it is about.

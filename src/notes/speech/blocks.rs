@@ -87,6 +87,34 @@ pub fn is_for_some_data(words: &str) -> bool {
     })
 }
 
+/// Words with which a clause begins that gives data of its own.
+const WITH: &[&str] = &[
+    "with", "for", "take", "using", "mit", "für", "bei", "avec", "pour", "prenons", "取", "对", "对于", "若",
+    "当",
+];
+
+/// How the last clause of some words begins, and how many words it has.
+fn last_clause(words: &str) -> Option<(String, usize)> {
+    let text = words.to_lowercase();
+    let clause = text.rsplit(['.', ';', ':', '。', '；', '：', '!', '?']).next()?.trim();
+    let clause = clause.trim_start_matches(['*', '_', ' ']);
+    Some((clause.split_whitespace().next()?.to_owned(), clause.split_whitespace().count()))
+}
+
+/// Whether the words before a list begin their clause with data of its own: "With the ordinates".
+pub fn is_with_some_data(words: &str) -> bool {
+    last_clause(words).is_some_and(|(first, count)| {
+        let written = |cue: &str| cue.chars().all(|c| c > '\u{2e7f}');
+        let chinese = |cue: &&str| written(cue) && first.starts_with(*cue) && first.chars().count() <= 8;
+        WITH.contains(&first.as_str()) && count <= 4 || WITH.iter().any(|cue| chinese(cue))
+    })
+}
+
+/// Whether the words before a formula are only "for": "For f(x) = e^x we have".
+pub fn opens_data(words: &str) -> bool {
+    last_clause(words).is_some_and(|(first, count)| count == 1 && WITH.contains(&first.as_str()))
+}
+
 /// Whether a sentence that begins in these words leads back from an example to the general case: "in general".
 pub fn generalises(words: &str, begins: bool) -> bool {
     let text = words.to_lowercase();

@@ -20,15 +20,15 @@ mod tongue;
 mod unreal;
 
 pub use blocks::{
-    Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data, kind_of_block,
-    number_of_block, recalled, sets_apart,
+    Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data,
+    is_with_some_data, kind_of_block, number_of_block, opens_data, recalled, sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
 pub use rewriting::says_as;
 pub use tongue::is_understood;
-pub use unreal::{denies, joins, names_a_mistake};
+pub use unreal::{calls_that_wrong, denies, joins, names_a_mistake};
 
 use std::borrow::Cow;
 use std::sync::LazyLock;

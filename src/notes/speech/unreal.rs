@@ -9,6 +9,28 @@ const UNREAL: &[&str] = &[
     "erhielte", "käme", "müsste",
 ];
 
+/// What is believed and not so.
+const BELIEVED: &[&str] = &[
+    "tempting",
+    "tempted",
+    "might think",
+    "might believe",
+    "might expect",
+    "might guess",
+    "might hope",
+    "verlockend",
+    "könnte meinen",
+    "könnte glauben",
+    "könnte denken",
+    "könnte vermuten",
+    "pourrait croire",
+    "pourrait penser",
+    "on serait tenté",
+    "可能会认为",
+    "可能以为",
+    "容易以为",
+];
+
 /// How the French conditional ends.
 const CONDITIONAL: &[&str] =
     &["erait", "eraient", "irait", "iraient", "drait", "draient", "aurait", "vrait", "rrait"];
@@ -58,6 +80,15 @@ const MISTAKES: &[&str] = &[
     "常见的错误",
 ];
 
+/// What a sentence begins with that speaks of the one before it.
+const THAT: &[&str] = &[
+    "this", "that", "it", "both", "das", "dies", "es", "beides", "c'est", "c’est", "cela", "ceci", "ce",
+    "这", "此", "该",
+];
+
+/// Words after which comes what is spoken of.
+const ONWARD: &[&str] = &["that", "dass", "que", "to", "zu", "if", "for", "unless", "für"];
+
 /// Words with which something else begins.
 const JOINTS: &[&str] = &["and", "but", "while", "whereas", "und", "aber", "während", "et", "mais", "tandis"];
 
@@ -71,7 +102,7 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let ends: &[char] = if infinitive { &[';', ':'] } else { &[',', ';', ':', '，', '；', '：', '('] };
     let clause = left.rsplit(ends).next().unwrap_or_default();
     let verb = |word: &str| UNREAL.contains(&word) || CONDITIONAL.iter().any(|end| word.ends_with(end));
-    if clause.split(' ').any(verb) || calls_wrong(clause) {
+    if clause.split(' ').any(verb) || calls_wrong(clause) || BELIEVED.iter().any(|cue| clause.contains(cue)) {
         return true;
     }
     let right = normal(right);
@@ -95,6 +126,20 @@ pub fn joins(words: &str) -> bool {
 pub fn names_a_mistake(words: &str) -> bool {
     let text = plain(words);
     MISTAKES.iter().any(|mistake| text.contains(mistake))
+}
+
+/// Whether a sentence begins by calling wrong what the one before it said: "This is false", but not "It is false that".
+pub fn calls_that_wrong(words: &str) -> bool {
+    let text = plain(words);
+    let text = text.trim_start();
+    let points = THAT.iter().any(|that| {
+        let rest = text.strip_prefix(that);
+        rest.is_some_and(|rest| !that.is_ascii() || !rest.starts_with(char::is_alphabetic))
+    });
+    let words: Vec<&str> =
+        text.split([',', ';', ':', '.', '，', '；', '。']).next().unwrap_or_default().split(' ').collect();
+    let start = words[..words.len().min(5)].join(" ");
+    points && calls_wrong(&start) && !words.iter().any(|word| ONWARD.contains(word))
 }
 
 fn calls_wrong(clause: &str) -> bool {
