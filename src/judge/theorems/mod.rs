@@ -67,7 +67,12 @@ impl Checker {
             if !joined && !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
                 continue;
             }
-            let found = budget::run(&limits, || self.by_theorems(chain, at, statement, finding));
+            // a(z) = Σ a_k z^k = (1 + z)^n: what is said of the sum is said of a(z).
+            let lefts =
+                [at, 0].into_iter().take(1 + usize::from(at > 0 && Head::of(&chain.sides[0].expr).is_some()));
+            let found = budget::run(&limits, || {
+                lefts.into_iter().find_map(|left| self.by_theorems(chain, left, at, statement, finding))
+            });
             let Ok(Some((found, agreement))) = found else { continue };
             self.agreements.extend(agreement);
             if joined && found.verdict == Verdict::Refuted {
@@ -84,13 +89,14 @@ impl Checker {
     fn by_theorems(
         &self,
         chain: &Chain,
+        first: usize,
         at: usize,
         statement: &Statement,
         finding: &Finding,
     ) -> Option<(Finding, Option<Agreement>)> {
-        let (left, right) = (&chain.sides[at].expr, main_case(&chain.sides[at + 1].expr));
-        if !matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
-            || chain.sides[at].is_unread()
+        let (left, right) = (&chain.sides[first].expr, main_case(&chain.sides[at + 1].expr));
+        if !chain.relations[first..=at].iter().all(|(relation, _)| matches!(relation, Rel::Eq | Rel::Define))
+            || chain.sides[first].is_unread()
             || chain.sides[at + 1].is_unread()
         {
             return None;
@@ -124,7 +130,7 @@ impl Checker {
             match self.among(&claim, &instances, finding, names, &long, &suggestion) {
                 Some(Some(found)) => {
                     let open =
-                        !doubt && !self.is_function_of_its_own(&chain.sides[at].expr, &statement.place);
+                        !doubt && !self.is_function_of_its_own(&chain.sides[first].expr, &statement.place);
                     return Some(found).filter(|(found, _)| open || found.verdict != Verdict::Refuted);
                 }
                 Some(None) => doubt = true,
