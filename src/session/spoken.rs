@@ -5,6 +5,8 @@
 
 mod apposition;
 mod draft;
+mod knots;
+mod laws;
 mod lists;
 mod notations;
 mod objects;
@@ -52,7 +54,7 @@ impl Session {
         topic: Option<&Expr>,
     ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
         let known = |word: &str| defines(&self.env, word);
-        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words, topic.is_some()) else {
             return Ok(None);
         };
         let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
@@ -79,9 +81,12 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
         // u v is a product here, no list.
-        let claimed = equals.map(|span| self.one(span)).transpose()?;
+        let claimed = equals.map(|span| self.one(span)).transpose()?.map(|claimed| self.with_products(claimed));
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
+            return Ok(Some(laws));
+        }
+        if let Some(laws) = claimed.as_ref().and_then(|claimed| self.is_form_of(claimed, &asked)) {
             return Ok(Some(laws));
         }
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
@@ -92,6 +97,14 @@ impl Reader<'_> {
         }
         asked.put_into_notations();
         if asked.formula.is_none() {
+            if asked.drafts.is_empty()
+                && asked.items.is_empty()
+                && asked.said.iter().all(|read| read.label == Label::At)
+                && let Some(topic) = self.topic
+            {
+                self.used_topic.set(true);
+                asked.items.push(topic.clone());
+            }
             // compute 3 + 4
             if asked.drafts.is_empty() {
                 return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
@@ -118,6 +131,9 @@ impl Reader<'_> {
                 asked.drafts.clear();
                 return self.assembled(asked, claimed);
             }
+        }
+        if let Some(diagonal) = self.on_diagonal(&asked)? {
+            return Ok(Some(diagonal));
         }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
         self.find_subject(&mut asked);
@@ -189,9 +205,20 @@ impl Reader<'_> {
                     asked.items.extend(curves);
                     (Vec::new(), Span::default())
                 }
-                Request::Joined(op, spans) => {
-                    let Some(joined) = self.joined(op, spans)? else { return Ok(None) };
+                Request::Joined(op, spans, curves) => {
+                    let Some(joined) = self.joined(op, spans, curves)? else { return Ok(None) };
                     asked.items.push(joined);
+                    (Vec::new(), Span::default())
+                }
+                Request::Count(count) => {
+                    asked.items.push(self.count(&count)?);
+                    (Vec::new(), Span::default())
+                }
+                Request::Added(own) => {
+                    let whole = Asked { request: Request::Call(own), equals: None };
+                    let Some(functions) = self.formula(whole)? else { return Ok(None) };
+                    let span = functions.span;
+                    asked.items.push(call("sum", vec![functions], span));
                     (Vec::new(), Span::default())
                 }
                 Request::Total(total) => {

@@ -51,6 +51,14 @@ pub(crate) enum Phrase {
     Where,
     /// A polar form: symmetric and affine in each argument.
     Multiaffine,
+    /// How often a knot stands: a double knot.
+    Multiplicity(i64),
+    /// The knots are equally spaced.
+    Uniform,
+    /// What follows is applied to something: apply.
+    Apply,
+    /// What it is applied to follows.
+    AppliedTo,
     /// It says nothing: the, please.
     Filler,
 }
@@ -103,6 +111,10 @@ pub(crate) enum Label {
     Number,
     /// Weights are expected: rational.
     Rational,
+    /// Knots are equally spaced: uniform.
+    Uniform,
+    /// How often a knot stands.
+    Multiplicity,
 }
 
 impl Label {
@@ -149,7 +161,7 @@ static BY_START: LazyLock<HashMap<String, Vec<(Phrase, &str)>>> = LazyLock::new(
     found
 });
 
-const LONGEST_MIXED: usize = 12;
+const LONGEST_MIXED: usize = 14;
 
 /// The phrases of letters and ideographs.
 static MIXED: LazyLock<Vec<(Phrase, &str)>> = LazyLock::new(|| {
@@ -189,7 +201,9 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         return Some((*phrase, name.len()));
     }
     if word(text).len() < text.len()
-        && text.get(word(text).len()..).is_some_and(|rest| rest.starts_with(is_ideograph))
+        && text
+            .get(word(text).len()..)
+            .is_some_and(|rest| rest.strip_prefix(' ').unwrap_or(rest).starts_with(is_ideograph))
     {
         // B样条
         let lower: String = text.chars().take(LONGEST_MIXED).flat_map(char::to_lowercase).collect();

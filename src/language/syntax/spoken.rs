@@ -6,10 +6,13 @@
 
 mod ahead;
 mod asks;
+mod counts;
+mod meant;
 mod pairs;
 mod totals;
 
 use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
+pub(crate) use self::counts::Count;
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase, Place};
@@ -32,10 +35,14 @@ pub(crate) enum Request {
     Call(Call),
     /// A sum or product.
     Total(Total),
-    /// A sum or product of formulas that stand side by side: the product of t + 1 and t - 1.
-    Joined(BigOp, Vec<Span>),
+    /// A sum or product of formulas that stand side by side, or of what Bernstein coefficients give: the product of t + 1 and t - 1.
+    Joined(BigOp, Vec<Span>, bool),
+    /// The sum of the functions that a function gives: of all Bernstein polynomials of degree 3.
+    Added(Call),
     /// Curves by their control points, each perhaps with its interval.
     Curves(Vec<(Span, Option<Span>)>),
+    /// A number that follows from others.
+    Count(Count),
 }
 
 /// A function, and what is said of its arguments.
@@ -96,18 +103,20 @@ pub(crate) enum What {
 
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
 ///
-/// A name that is `known` is no word, and `function` finds a function by its name. Cost: linear in the length
-/// of the text.
+/// A name that is `known` is no word, and `function` finds a function by its name. If it is `about` something that was
+/// said before, a value may be all that is asked: value at 1/2. Cost: linear in the length of the text.
 pub(crate) fn request(
     text: &str,
     known: &dyn Fn(&str) -> bool,
     function: &dyn Fn(&str) -> Option<&'static str>,
+    about: bool,
 ) -> Option<Asked> {
     let masked = without_text_commands(text);
     let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
-    if !asks::is_request(text, &parts) {
+    let value = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
+    if !(asks::is_request(text, &parts) || about && parts.iter().any(value)) {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -133,7 +142,8 @@ pub(crate) fn request(
     }
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let mut reader = Reader { text, parts: asks::from_one_to_another(parts), at: 0 };
+    let parts = meant::settled(text, asks::from_one_to_another(parts));
+    let mut reader = Reader { text, parts, at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
 }
@@ -171,6 +181,13 @@ impl Reader<'_> {
     fn asked(&mut self) -> Option<Asked> {
         if let Some(request) = self.two_curves() {
             self.at = self.parts.len();
+            return Some(Asked { request, equals: None });
+        }
+        if let Some(request) = self.counted() {
+            self.at = self.parts.len();
+            return Some(Asked { request, equals: None });
+        }
+        if let Some(request) = self.diagonal() {
             return Some(Asked { request, equals: None });
         }
         // for which x is x^2 = 1
@@ -218,16 +235,41 @@ impl Reader<'_> {
             let request = self.request()?;
             return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(claimed) });
         }
-        let request = self.request()?;
+        let mut request = self.request()?;
         let mut equals = None;
         if (self.take(Phrase::Equals) || self.take(Phrase::Is))
             && let Some(Part::Piece(value)) = self.next()
-            && matches!(request, Request::Call(_))
+            && request.has_value()
         {
             self.at += 1;
             equals = Some(value);
+            // has the value 2 at 1/2
+            while self.at_label()
+                && let Some(labels) = request.labels().map(|_| self.said())
+            {
+                request.labels()?.extend(labels?);
+            }
         }
         (!asks || equals.is_some()).then_some(Asked { request, equals })
+    }
+
+    /// The polynomial with a polar form that is given: the polynomial whose blossom is u v + u + v.
+    fn diagonal(&mut self) -> Option<Request> {
+        let [
+            Part::Phrase(Phrase::Function("diagonal") | Phrase::Command("expand"), phrase),
+            Part::Phrase(Phrase::Function("polar"), _),
+            rest @ ..,
+        ] = self.parts.as_slice()
+        else {
+            return None;
+        };
+        let between = |part: &&Part| matches!(part, Part::Phrase(Phrase::Is | Phrase::Of | Phrase::Equals, _));
+        let skipped = rest.iter().take_while(between).count();
+        let [Part::Piece(form)] = rest.get(skipped..)? else { return None };
+        let (phrase, form) = (*phrase, *form);
+        self.at = self.parts.len();
+        let subject = Some(Box::new(Request::Formula(vec![form], Vec::new())));
+        Some(Request::Call(Call { function: "diagonal", phrase, subject, labels: Vec::new(), part: None }))
     }
 
     /// A formula or a function of something, and what is done with that.
@@ -379,6 +421,7 @@ impl Reader<'_> {
                 Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
                 Some(Phrase::Ordinal(number)) => (Label::Times, number),
                 Some(Phrase::Rational) => (Label::Rational, 1),
+                Some(Phrase::Uniform) => (Label::Uniform, 1),
                 // degree 2 spline
                 Some(Phrase::Label(Label::OfDegree))
                     if let Some([Part::Piece(span), Part::Phrase(Phrase::Function(_), _)]) =
@@ -409,8 +452,11 @@ impl Reader<'_> {
             }
             Part::Phrase(Phrase::Total(op), phrase) if labels.is_empty() => {
                 self.at += 1;
+                if let Some(call) = self.all_of_them(op) {
+                    return Some(Request::Added(call));
+                }
                 match self.joined() {
-                    Some(formulas) => Some(Request::Joined(op, formulas)),
+                    Some((formulas, curves)) => Some(Request::Joined(op, formulas, curves)),
                     None => self.total(op, phrase).map(Request::Total),
                 }
             }
@@ -524,6 +570,10 @@ impl Reader<'_> {
                 self.at += 1;
                 return Some(vec![Said { label: Label::At, what: What::Place(place) }]);
             }
+            Part::Phrase(Phrase::Uniform, _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::Uniform, what: What::Degree(1) }]);
+            }
             Part::Phrase(Phrase::Flag(name, value), _) => {
                 self.at += 1;
                 return Some(vec![Said { label: Label::With, what: What::Flag(name, value) }]);
@@ -583,7 +633,10 @@ impl Reader<'_> {
                 self.at += 1;
                 Some(vec![Said { label, what: What::Degree(degree) }])
             }
-            Part::Phrase(Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_), _) => Some(Vec::new()),
+            Part::Phrase(
+                Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_) | Phrase::Flag(..) | Phrase::Place(_),
+                _,
+            ) => Some(Vec::new()),
             // for the control points 0, 1
             Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,

@@ -4,7 +4,7 @@ use super::{Reader, draft, one_term};
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, call};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::syntax::Total;
+use crate::language::syntax::{Count, Total, What};
 use crate::session::Failure;
 
 impl Reader<'_> {
@@ -35,7 +35,15 @@ impl Reader<'_> {
     }
 
     /// The sum or product of formulas; of lists it is not clear what that is.
-    pub(super) fn joined(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+    pub(super) fn joined(
+        &self,
+        op: BigOp,
+        spans: Vec<Span>,
+        curves: bool,
+    ) -> Result<Option<Expr>, Box<Failure>> {
+        if curves {
+            return self.joined_curves(op, spans);
+        }
         let formulas = spans.into_iter().map(|span| self.one(span)).collect::<Result<Vec<_>, _>>()?;
         let several = |item: &Expr| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Sequence(_));
         if formulas.iter().any(several) {
@@ -50,6 +58,46 @@ impl Reader<'_> {
             _ => return Ok(None),
         };
         Ok(Some(Expr { span, ..whole }))
+    }
+
+    /// The sum or product of polynomials by their Bernstein coefficients.
+    fn joined_curves(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+        let mut found: Vec<Expr> = Vec::new();
+        for place in spans {
+            let span = place.shifted(self.start);
+            let points = match self.items(place)?.as_slice() {
+                [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+                [Expr { kind: Kind::Tuple(points), .. }] => draft::list(points.clone()),
+                [_] => return Ok(None),
+                points => draft::list(points.to_vec()),
+            };
+            found.push(call("bezier", vec![points], span));
+        }
+        let joined = |left: Expr, right: Expr| {
+            let span = left.span.to(right.span);
+            match op {
+                BigOp::Product => call("curve_product", vec![left, right], span),
+                _ => {
+                    let term = |expr: Expr| Term { sign: Sign::Plus, expr };
+                    Expr { span, ..Expr::sum(vec![term(left), term(right)]) }
+                }
+            }
+        };
+        Ok(found.into_iter().reduce(joined).filter(|_| matches!(op, BigOp::Product | BigOp::Sum)))
+    }
+
+    /// A number that follows from others: 11 - 3 - 1.
+    pub(super) fn count(&self, count: &Count) -> Result<Expr, Box<Failure>> {
+        let mut terms = Vec::new();
+        for (minus, what) in count {
+            let expr = match what {
+                What::Formula(span) => self.one(*span)?,
+                What::Degree(number) => Expr::int(*number),
+                _ => continue,
+            };
+            terms.push(Term { sign: if *minus { Sign::Minus } else { Sign::Plus }, expr });
+        }
+        Ok(Expr::sum(terms))
     }
 
     /// The sum or product that is asked for in words.

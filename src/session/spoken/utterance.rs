@@ -2,7 +2,7 @@
 
 use super::super::systems::is_equation;
 use super::draft::{self, Draft};
-use super::{Read, apposition, lists, notations};
+use super::{Read, apposition, knots, lists, notations};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::names::bases;
@@ -60,6 +60,9 @@ impl Utterance {
 
     /// Values for the places that have a word. Of a spline they depend on its knots.
     fn take_places(&mut self) {
+        if self.places.contains(&Place::Middle) || self.places.contains(&Place::Start) || self.places.contains(&Place::End) {
+            self.take_places_of_spline();
+        }
         let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
         let (a, b) = match ends {
             Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }])
@@ -86,7 +89,41 @@ impl Utterance {
         }
     }
 
-    fn says(&self, label: Label) -> bool {
+    /// The ends of the interval over which a spline is given, or of its knots for a basis function, are its places.
+    fn take_places_of_spline(&mut self) {
+        let Some(ends) = knots::ends(self) else { return };
+        let over = self.said.iter().any(|read| read.label == Label::Over && read.items.len() == 1);
+        if over {
+            return;
+        }
+        let value = |place: &Place| match place {
+            Place::Start => Some(ends[0].clone()),
+            Place::End => Some(ends[1].clone()),
+            Place::Middle => {
+                let sum = ends.iter().map(|end| Term { sign: Sign::Plus, expr: end.clone().grouped() });
+                Some(Expr::sum(sum.collect()).grouped().over(Expr::int(2)))
+            }
+            Place::Centre => None,
+        };
+        let values: Option<Vec<Expr>> = self.places.iter().map(value).collect();
+        if let Some(values) = values {
+            self.places.clear();
+            self.said.extend(values.into_iter().map(|value| Read { label: Label::At, items: vec![value] }));
+        }
+    }
+
+    /// The values of a spline with knots are its coefficients: linear spline, knots 0, 0, 1, 1, values 3, 5.
+    fn values_of_spline(&mut self) {
+        let spline = self.drafts.iter().any(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
+        if spline && self.says(Label::Knots) && !self.says(Label::Points) && !self.says(Label::Nodes) {
+            self.said
+                .iter_mut()
+                .filter(|read| read.label == Label::Values)
+                .for_each(|read| read.label = Label::Points);
+        }
+    }
+
+    pub(super) fn says(&self, label: Label) -> bool {
         self.said.iter().any(|read| read.label == label)
     }
 
@@ -95,7 +132,9 @@ impl Utterance {
         if self.drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
             lists::gather(&mut self.items, &mut self.said);
         }
+        knots::uniform(self);
         self.take_places();
+        self.values_of_spline();
         // the quadratic spline (degree 2)
         let mut degrees: Vec<i64> = Vec::new();
         self.said.retain(|read| match (read.label, read.items.as_slice()) {
@@ -329,17 +368,17 @@ impl Utterance {
 
     /// The parabola through points.
     fn interpolants(&mut self) {
-        if let (
-            true,
-            true,
-            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
-        ) = (self.drafts.is_empty(), self.items.is_empty(), self.said.as_slice())
-            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
-            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
+        if !self.drafts.is_empty() || !self.items.is_empty() {
+            return;
+        }
+        let find = |label: Label| self.said.iter().find(|read| read.label == label);
+        let (Some(degree), Some(points)) = (find(Label::OfDegree), find(Label::Through)) else { return };
+        if let ([degree], Some(lagrange)) = (degree.items.as_slice(), builtin("lagrange"))
+            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.items.len()))
         {
-            self.items.clone_from(points);
+            self.items.clone_from(&points.items);
             self.drafts.push(Draft::new(lagrange, self.items[0].span));
-            self.said.clear();
+            self.said.retain(|read| !matches!(read.label, Label::OfDegree | Label::Through));
         }
     }
 

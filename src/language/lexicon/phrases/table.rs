@@ -1,7 +1,7 @@
 //! The phrases of requests in words, of all languages.
 
 use super::Label::{
-    At, From, In, Knots, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values, Weights, With,
+    At, From, In, Knots, Multiplicity, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values, Weights, With,
 };
 use super::Phrase::{self, And, Between, Command, Degree, Filler, Flag, Function, Of, Ordinal};
 use super::Place::{Centre, End, Middle, Start};
@@ -85,7 +85,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Function("coefficient"), "coefficient | koeffizient | coeff | 系数"),
     (
         Function("in_bernstein"),
-        "bernstein | bernstein form | bernstein basis | bernstein coefficients | bernstein coeffs | \
+        "bernstein form~ | bernstein 系数 | bernstein基 | bernstein 基 | 伯恩斯坦系数 | bernstein | bernstein basis | bernstein coefficients | bernstein coeffs | \
          coeficientes de bernstein | coefficienti di bernstein | \
          b form | bézier form | bezier form | bernsteinbasis | bernsteinform | \
          bernstein darstellung | bernstein koeffizienten | bernsteinkoeffizienten | \
@@ -224,7 +224,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("triangle_patch"),
-        "triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
+        "triangle patch | triangle bezier patch | dreieckspatch | triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
          triangular patch | bézierdreieck | bezierdreieck | triangle de bézier",
     ),
     (
@@ -293,12 +293,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Place(Middle),
-        "in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
+        "at its middle knot | at the middle knot | am mittleren knoten | au nœud central | en el nudo central | at its middle | in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
          en el medio | por la mitad | nel mezzo | in half | in two halves | in zwei hälften | en deux moitiés",
     ),
     (
         Phrase::Place(Centre),
-        "at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
+        "at barycentre | at barycenter | at centroid | at its barycentre | at its barycenter | at its centroid | at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
          en el baricentro | nel baricentro | at the center | at the centre",
     ),
     (
@@ -373,9 +373,9 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Degree(1), "linear~ | linéaire~ | 线性"),
     (
         Degree(2),
-        "parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
+        "bilinear~ | bilinéaire~ | parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
     ),
-    (Degree(3), "cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
+    (Degree(3), "trilinear~ | trilinéaire~ | cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
@@ -396,10 +396,57 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          dei | 的",
     ),
     (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
+    (
+        Phrase::Multiplicity(1),
+        "simple knot | single knot | einfachen knoten | einfacher knoten | nœud simple | nudo simple",
+    ),
+    (
+        Phrase::Multiplicity(2),
+        "double knot | doppelten knoten | doppelter knoten | doppelknoten | nœud double | nudo doble | 二重节点",
+    ),
+    (
+        Phrase::Multiplicity(3),
+        "triple knot | dreifachen knoten | dreifacher knoten | nœud triple | nudo triple | 三重节点",
+    ),
+    (
+        Phrase::Label(Multiplicity),
+        "knot of multiplicity | knot with multiplicity | multiplicity | knoten der vielfachheit | vielfachheit | \
+         nœud de multiplicité | multiplicité | nudo de multiplicidad | multiplicidad | 重数",
+    ),
+    (Phrase::Uniform, "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | uniforme~ | 均匀"),
+    (Phrase::Apply, "apply | wende | appliquer | applique | aplicar | aplica | applica"),
+    (
+        Phrase::AppliedTo,
+        "applied to | angewandt auf | angewendet auf | appliqué à | appliqué sur | aplicado a | applicato a | 作用于",
+    ),
+    (
+        Function("support"),
+        "träger | soporte | supporto | 支集 | 支撑 | support interval | trägerintervall",
+    ),
+    (
+        Function("bernstein_approximation"),
+        "bernstein operator | bernsteinoperator | bernstein approximant | bernsteinapproximation | opérateur de bernstein | \
+         operador de bernstein | operatore di bernstein | 伯恩斯坦算子",
+    ),
+    (
+        Function("smoothness"),
+        "how smooth | glattheit | wie glatt | régularité | suavidad | differentiability | differenzierbarkeit | 光滑性",
+    ),
+    (
+        Function("diagonal"),
+        "polynomial whose | polynom dessen | polynôme dont la | polynôme dont | \
+         polinomio cuya | polinomio la cui",
+    ),
+    (
+        Function("conic_kind"),
+        "type of conic | kind of conic | conic type | type of the conic | art des kegelschnitts | kegelschnittart | \
+         type de conique | tipo de cónica | what conic | which conic | what kind of conic | what type of conic | welcher kegelschnitt | \
+         quelle conique | qué cónica",
+    ),
     (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
     (
         Phrase::Equals,
-        "equals | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+        "equals | equal | be equal to | has value | has the value | have value | have the value | takes value | takes the value | take the value | hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | vaut | vaut elle | vaut il | tiene el valor | tiene valor | toma el valor | vale | ha il valore | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (
@@ -466,7 +513,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
+        "need | needs | needed | has | hat | haben | braucht | brauchen | benötigt | besitzt | tiene | necesita | possède | \
+         all | all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \

@@ -15,6 +15,7 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
             | Phrase::Total(_)
             | Phrase::Between(_)
             | Phrase::Which
+            | Phrase::Uniform
             | Phrase::Equals => true,
             // N_{0,2}(1/2) for the knots 0, 1, 2, 3
             Phrase::Label(label) => label.names_values(),
@@ -81,7 +82,21 @@ impl Request {
         match self {
             Request::Formula(_, labels) => Some(labels),
             Request::Call(call) => Some(&mut call.labels),
-            Request::Total(_) | Request::Joined(..) | Request::Curves(_) => None,
+            Request::Total(_)
+            | Request::Joined(..)
+            | Request::Added(_)
+            | Request::Curves(_)
+            | Request::Count(_) => None,
+        }
+    }
+
+    /// Whether it may be said what value it has.
+    pub(super) fn has_value(&self) -> bool {
+        match self {
+            Request::Call(_) | Request::Total(_) | Request::Added(_) => true,
+            // the cubic 0, 1, 3, 1 has the value 2 at 1/2
+            Request::Formula(items, labels) => !items.is_empty() && !labels.is_empty(),
+            _ => false,
         }
     }
 }

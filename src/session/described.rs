@@ -1,0 +1,185 @@
+//! An object that words describe, and then questions about it: `quadratic spline, knots 0, 0, 0, 1, 1, 1, control points 1, 2, 4;
+//! s(1/3) = ?`, `the blossom of t^2 and its value at (1, 2)`.
+
+use super::{Answer, Failure, Session, defines};
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind};
+use crate::language::eval::{Equals, Outcome};
+use crate::language::functions::function_called;
+use crate::language::lexicon::asking;
+use crate::language::syntax;
+use crate::language::value::Value;
+
+/// A question about an object: the formula that answers it, and where it stands.
+pub(super) type Question = (Expr, Span);
+
+/// How many questions one object may have.
+const MOST: usize = 4;
+
+impl Session {
+    /// Answers what is asked about an object that words describe; `None` if the text is something else.
+    pub(super) fn run_described(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let Some(questions) = self.described(file, whole) else { return Ok(None) };
+        let mut answers = Vec::new();
+        for (formula, place) in questions {
+            answers.push(self.evaluated_as(file, formula, place, equals)?);
+        }
+        Ok(Some(answers))
+    }
+
+    /// The questions about an object that words describe before them.
+    pub(super) fn described(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
+        let text = file.slice(whole);
+        if !text.contains(char::is_alphabetic) {
+            return None;
+        }
+        syntax::continuations(text).into_iter().find_map(|found| {
+            let rest = found.rest(text)?.shifted(whole.start);
+            let (object, name) = self.object(file, Span::new(whole.start, whole.start + found.end))?;
+            self.questions(file, rest, &object, name.as_deref(), MOST)
+        })
+    }
+
+    /// The same, where the answer to the description is asked for, too: the polar form of t^3 and its value at (0, 1, 2).
+    pub(super) fn described_and_asked(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
+        let text = file.slice(whole);
+        let (end, start) = asking::and_its(text)?;
+        let head = Span::new(whole.start, whole.start + end);
+        let (object, _) = self.object(file, head)?;
+        let rest = Span::new(whole.start + start, whole.end);
+        let mut questions = self.questions(file, rest, &object, None, MOST)?;
+        questions.insert(0, (object, head));
+        Some(questions)
+    }
+
+    /// What words describe, if it is something of which there are values, and the name it is given.
+    fn object(&self, file: &SourceFile, head: Span) -> Option<(Expr, Option<String>)> {
+        let text = file.slice(head);
+        let (body, name) = match syntax::clause(text) {
+            Some(clause) if !defines(&self.env, clause.name) => {
+                (clause.rest.shifted(head.start), Some(clause.name.to_owned()))
+            }
+            _ => (head, None),
+        };
+        let object = self.spoken(file, body).ok().flatten()?;
+        let outcome = self.clone().evaluate(&mut object.clone(), Equals::Claims);
+        let has_values = match &outcome {
+            Ok(Outcome { value, .. }) => match value {
+                Value::Scalar(formula) => formula.variables().len() == 1,
+                Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_) => true,
+                _ => false,
+            },
+            // What is wrong with the object is told as the answer.
+            Err(_) => true,
+        };
+        has_values.then_some((object, name))
+    }
+
+    /// The questions of a text about an object; `None` if anything else is said.
+    fn questions(
+        &self,
+        file: &SourceFile,
+        text: Span,
+        object: &Expr,
+        name: Option<&str>,
+        most: usize,
+    ) -> Option<Vec<Question>> {
+        if most == 0 {
+            return None;
+        }
+        if let Some(one) = self.question(file, text, object, name) {
+            return Some(vec![one]);
+        }
+        let mut cuts: Vec<(usize, usize)> = asking::conjunctions(file.slice(text));
+        let stops = syntax::continuations(file.slice(text)).into_iter();
+        cuts.extend(stops.filter_map(|stop| Some((stop.end, stop.rest(file.slice(text))?.start))));
+        cuts.sort_unstable();
+        cuts.into_iter().find_map(|(end, start)| {
+            let first = self.question(file, Span::new(text.start, text.start + end), object, name)?;
+            let rest = Span::new(text.start + start, text.end);
+            let mut found = self.questions(file, rest, object, name, most - 1)?;
+            found.insert(0, first);
+            Some(found)
+        })
+    }
+
+    /// One question: a formula with a letter for the object, or words about it.
+    fn question(&self, file: &SourceFile, text: Span, object: &Expr, name: Option<&str>) -> Option<Question> {
+        let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '=' | '.' | '。');
+        let inner = file.slice(text).trim_end_matches(ends);
+        let place = Span::new(text.start, text.start + inner.len());
+        if inner.trim().is_empty() {
+            return None;
+        }
+        let asked = syntax::asked(inner).map_or(place, |(span, _)| span.shifted(text.start));
+        if let Ok(formula) = self.read(file, asked)
+            && let Some(letter) = self.letter_called(&formula)
+            && name.is_none_or(|name| name == letter)
+        {
+            return Some((with_object(&formula, &letter, object), place));
+        }
+        match self.spoken_about(file, place, Some(object)) {
+            Ok(Some((formula, true))) => Some((formula, place)),
+            _ => None,
+        }
+    }
+
+    /// The only letter without a value that is called in a formula: s(1), p'(0).
+    fn letter_called(&self, formula: &Expr) -> Option<String> {
+        let mut letters = Vec::new();
+        gather(formula, &mut letters);
+        letters.sort();
+        letters.dedup();
+        let [letter] = letters.as_slice() else { return None };
+        let free = !defines(&self.env, letter) && function_called(letter).is_none();
+        let plain = !matches!(formula.kind, Kind::Sequence(_) | Kind::Chain(..));
+        (free && plain && letter.chars().count() == 1).then(|| letter.clone())
+    }
+}
+
+/// The letter of a function or of its derivative: p, p'.
+fn letter_of(callee: &Expr) -> Option<&str> {
+    match &callee.kind {
+        Kind::Name(name) => Some(name),
+        Kind::Prime(inner, _) => letter_of(inner),
+        _ => None,
+    }
+}
+
+fn gather(formula: &Expr, letters: &mut Vec<String>) {
+    if let Kind::Apply(callee, groups) = &formula.kind {
+        letters.extend(
+            letter_of(callee).filter(|name| function_called(name).is_none()).map(str::to_owned),
+        );
+        groups.iter().flatten().for_each(|argument| gather(argument, letters));
+        return;
+    }
+    formula.for_each_child(&mut |child| gather(child, letters));
+}
+
+/// A formula with the object in place of the letter that is called.
+fn with_object(formula: &Expr, letter: &str, object: &Expr) -> Expr {
+    let mut formula = formula.clone();
+    put(&mut formula, letter, object);
+    formula
+}
+
+fn put(formula: &mut Expr, letter: &str, object: &Expr) {
+    if let Kind::Apply(callee, groups) = &mut formula.kind {
+        if letter_of(callee) == Some(letter) {
+            let place = match &mut callee.kind {
+                Kind::Prime(inner, _) => inner,
+                _ => callee,
+            };
+            **place = Expr { span: place.span, ..object.clone() };
+        }
+        groups.iter_mut().flatten().for_each(|argument| put(argument, letter, object));
+        return;
+    }
+    formula.for_each_child_mut(&mut |child| put(child, letter, object));
+}

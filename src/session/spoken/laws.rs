@@ -1,0 +1,129 @@
+//! Formulas that are polar forms, or are said to be: the polynomial on their diagonal, and the laws that they have to fulfil.
+
+use super::draft::{Draft, list};
+use super::utterance::Utterance;
+use super::{Reader, lists};
+use crate::formula::{Expr, Kind, Link, Rel, call};
+use crate::judge::names::bases;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Equals;
+use crate::language::value::Value;
+use crate::session::{Failure, defines};
+
+/// Letters that stand for arguments of polar forms.
+const ARGUMENTS: &[char] = &['r', 's', 't', 'u', 'v', 'w', 'x', 'y', 'z'];
+
+impl Reader<'_> {
+    /// The polynomial F(t) = f(t, ..., t) of a formula f: the diagonal of u v + u + v.
+    pub(super) fn on_diagonal(&self, asked: &Utterance) -> Result<Option<Expr>, Box<Failure>> {
+        let ([Draft { builtin, .. }], [item], []) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return Ok(None);
+        };
+        if builtin.name != "diagonal" {
+            return Ok(None);
+        }
+        let (form, named) = match &item.kind {
+            Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
+                (Kind::Apply(_, groups), [Link { rel: Rel::Eq | Rel::Define, expr, .. }]) => {
+                    (expr.clone(), groups.first().cloned())
+                }
+                _ => return Ok(None),
+            },
+            Kind::Name(_) | Kind::Apply(..) => return Ok(None),
+            _ => (item.clone(), None),
+        };
+        let form = self.with_products(form);
+        let letters = named.unwrap_or_else(|| lists::letters(&form, &Expr::int(0)));
+        let names: Option<Vec<&str>> = letters
+            .iter()
+            .map(|letter| match &letter.kind {
+                Kind::Name(name) => Some(name.as_str()),
+                _ => None,
+            })
+            .collect();
+        let Some(names) = names.filter(|names| names.len() > 1) else { return Ok(None) };
+        if let Some(law) = self.broken_law(&form, &letters) {
+            let problem = Diagnostic::error(Code::Usage, format!("this is no polar form: it is not {law}"))
+                .at(item.span)
+                .reason("a polar form is symmetric, and affine in each argument")
+                .hint("laws(expression, [u, v], F) tells which law fails, and why");
+            return Err(self.fail(problem));
+        }
+        let letter = if names.contains(&"t") && names.len() > 2 { "x" } else { "t" };
+        let variable = Expr { span: form.span, ..Expr::name(letter) };
+        Ok(Some(names.iter().fold(form, |form, name| form.with_name(name, &variable))))
+    }
+
+    /// Which law of polar forms a formula in some letters does not fulfil.
+    fn broken_law(&self, form: &Expr, letters: &[Expr]) -> Option<&'static str> {
+        let value = |mut formula: Expr| {
+            let outcome = self.session.clone().evaluate(&mut formula, Equals::Claims).ok()?;
+            match outcome.value {
+                Value::Scalar(value) => Some(value),
+                _ => None,
+            }
+        };
+        let own = value(form.clone())?;
+        for letter in letters {
+            let second = call("diff", vec![form.clone(), letter.clone(), Expr::int(2)], form.span);
+            if value(second).is_none_or(|second| !num_traits::Zero::is_zero(&second)) {
+                return Some("affine in each argument");
+            }
+        }
+        let names: Vec<String> = letters.iter().flat_map(bases).collect();
+        for pair in names.windows(2) {
+            let between = Expr::name("zeta");
+            let swapped = form
+                .with_name(&pair[0], &between)
+                .with_name(&pair[1], &Expr::name(&pair[0]))
+                .with_name("zeta", &Expr::name(&pair[1]));
+            if value(swapped).is_none_or(|swapped| swapped != own) {
+                return Some("symmetric");
+            }
+        }
+        None
+    }
+
+    /// What is claimed to be a polar form of something that has another number of arguments than the claim has letters: the laws
+    /// tell why it is none. Is u^2 v the blossom of t^3?
+    pub(super) fn is_form_of(&self, claimed: &Expr, asked: &Utterance) -> Option<Expr> {
+        let ([Draft { builtin, .. }], [of], []) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return None;
+        };
+        let claim = match &claimed.kind {
+            Kind::Chain(..) => return None,
+            _ => claimed.clone(),
+        };
+        if builtin.name != "polar" || matches!(of.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Chain(..)) {
+            return None;
+        }
+        let letters = lists::letters(&claim, of);
+        let mut degree = call("degree", vec![of.clone()], of.span);
+        let degree = self.session.clone().evaluate(&mut degree, Equals::Claims).ok()?.value.as_int()?;
+        let fewer = i64::try_from(letters.len()).is_ok_and(|count| count < degree);
+        let broken = letters.len() > 1 && self.broken_law(&claim, &letters).is_some();
+        (letters.len() > 1 && (fewer || broken))
+            .then(|| call("laws", vec![claim.clone(), list(letters), of.clone()], claim.span.to(of.span)))
+    }
+
+    /// A formula with products in place of words of letters that stand for arguments: u v for uv.
+    pub(super) fn with_products(&self, mut formula: Expr) -> Expr {
+        let span = formula.span;
+        if let Kind::Name(word) = &formula.kind {
+            let letters = word.chars().count() > 1 && word.chars().all(|letter| ARGUMENTS.contains(&letter));
+            return match letters && !defines(&self.session.env, word) {
+                true => {
+                    let names = word.chars().map(|letter| Expr { span, ..Expr::name(letter.to_string()) });
+                    Expr { span, ..Expr::product(names.collect()) }.grouped()
+                }
+                false => formula,
+            };
+        }
+        formula.for_each_child_mut(&mut |child| *child = self.with_products(child.clone()));
+        formula
+    }
+}
