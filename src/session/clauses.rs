@@ -32,7 +32,7 @@ impl Session {
             if !mentions(file.slice(rest), clause.name) {
                 continue;
             }
-            let Some(formula) = self.spoken(file, head)? else { continue };
+            let Ok(Some(formula)) = self.spoken(file, head) else { continue };
             let mut there = self.clone();
             let defined = there.evaluated(file, define(formula), Equals::DefinesUnbound, false)?;
             let mut answers = there.run_part(file, rest, equals)?;

@@ -64,20 +64,34 @@ impl Session {
             Some(clause) if !defines(&self.env, clause.name) => {
                 (clause.rest.shifted(head.start), Some(clause.name.to_owned()))
             }
-            _ => (head, None),
+            _ => match self.named_with_is(text) {
+                Some((name, start)) => (Span::new(head.start + start, head.end), Some(name)),
+                None => (head, None),
+            },
         };
-        let object = self.spoken(file, body).ok().flatten()?;
+        let object = self.spoken_data(file, body)?;
         let outcome = self.clone().evaluate(&mut object.clone(), Equals::Claims);
         let has_values = match &outcome {
             Ok(Outcome { value, .. }) => match value {
                 Value::Scalar(formula) => formula.variables().len() == 1,
                 Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_) => true,
+                Value::List(_) => true,
                 _ => false,
             },
             // What is wrong with the object is told as the answer.
             Err(_) => true,
         };
         has_values.then_some((object, name))
+    }
+
+    /// The letter that a description begins with: f is the blossom of t^2.
+    fn named_with_is(&self, text: &str) -> Option<(String, usize)> {
+        let start = text.len() - text.trim_start().len();
+        let letter = text.trim_start().chars().next().filter(|letter| letter.is_alphabetic())?;
+        let name = letter.to_string();
+        let rest = text.get(start + letter.len_utf8()..)?.strip_prefix(' ')?;
+        let (_, length) = asking::copula(rest)?;
+        (!defines(&self.env, &name)).then_some((name, text.len() - rest.len() + length))
     }
 
     /// The questions of a text about an object; `None` if anything else is said.
@@ -122,6 +136,17 @@ impl Session {
             && name.is_none_or(|name| name == letter)
         {
             return Some((with_object(&formula, &letter, object), place));
+        }
+        // what is c_1?
+        if let Ok(formula) = self.read(file, asked)
+            && let Kind::Subscript(letter, index) = &formula.kind
+            && let (Kind::Name(letter), [number]) = (&letter.kind, index.as_slice())
+            && number.as_int().is_some()
+            && !defines(&self.env, letter)
+            && name.is_none_or(|name| name == letter)
+        {
+            let index = vec![Expr::new(Kind::List(vec![number.clone()]), number.span)];
+            return Some((Expr::new(Kind::Subscript(Box::new(object.clone()), index), place), place));
         }
         match self.spoken_about(file, place, Some(object)) {
             Ok(Some((formula, true))) => Some((formula, place)),

@@ -28,7 +28,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::{Label, Place};
-use crate::language::lexicon::roles;
+use crate::language::lexicon::{fractions, roles};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
@@ -46,6 +46,11 @@ impl Session {
         self.spoken_about(file, whole, None).map(|found| found.map(|(formula, _)| formula))
     }
 
+    /// The same, where data alone describe a curve: b0 = 1, b1 = 3, b2 = 1.
+    pub(super) fn spoken_data(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
+        self.spoken_as(file, whole, None, true).ok().flatten().map(|(formula, _)| formula)
+    }
+
     /// The same, where a name is known that all is about: F(t) = t^2, what is its derivative? Tells whether it was needed.
     pub(super) fn spoken_about(
         &self,
@@ -53,8 +58,25 @@ impl Session {
         whole: Span,
         topic: Option<&Expr>,
     ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
+        self.spoken_as(file, whole, topic, topic.is_some())
+    }
+
+    fn spoken_as(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        topic: Option<&Expr>,
+        about: bool,
+    ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
+        // at one third
+        let masked = fractions::with_digits(file.slice(whole)).map(|text| {
+            let mut all = file.text().to_owned();
+            all.replace_range(whole.range(), &text);
+            SourceFile::new(file.name(), all)
+        });
+        let file = masked.as_ref().unwrap_or(file);
         let known = |word: &str| defines(&self.env, word);
-        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words, topic.is_some()) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words, about) else {
             return Ok(None);
         };
         let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
@@ -88,6 +110,9 @@ impl Reader<'_> {
         }
         if let Some(laws) = claimed.as_ref().and_then(|claimed| self.is_form_of(claimed, &asked)) {
             return Ok(Some(laws));
+        }
+        if let Some(problem) = self.of_polygon(&asked) {
+            return Err(self.fail(problem));
         }
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
         asked.settle();
@@ -341,6 +366,19 @@ impl Reader<'_> {
         }))
     }
 
+    /// The length of a control polygon is none of its curve.
+    fn of_polygon(&self, asked: &Utterance) -> Option<Diagnostic> {
+        let draft = asked.drafts.iter().find(|draft| draft.builtin.name == "arc_length")?;
+        let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
+        ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(|| {
+            Diagnostic::error(Code::Usage, "the length of the polygon, or of its curve?")
+                .at(draft.phrase)
+                .reason("a polygon is as long as its edges together")
+                .hint("of the polygon: sum([norm(v) for v = differences([(0, 0), (3, 4), (3, 6)])])")
+                .hint("of the curve: arc_length(bezier([(0, 0), (3, 4), (3, 6)]))")
+        })
+    }
+
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {
         Box::new(Failure { problem, file: self.file.clone() })
     }
@@ -408,7 +446,7 @@ impl Reader<'_> {
         else {
             return None;
         };
-        let at = matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over);
+        let at = matches!(read.label, Label::At | Label::Nodes | Label::Knots | Label::With | Label::Over);
         if builtin.name != "divided_differences" || !at {
             return None;
         }

@@ -194,6 +194,7 @@ impl Builtin {
     pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
         let args = self.with_points_together(self.with_first_in_place(args)).with_equations_together();
         let args = self.with_values_apart(args);
+        let args = self.with_curve_of_points(machine, args)?;
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
@@ -221,6 +222,42 @@ impl Builtin {
             }
             None => (self.call)(machine, &self.checked(self.parameters, args)?),
         }
+    }
+
+    /// elevate([0, 2, 3]), elevate(0, 2, 3): numbers or points where a curve is expected are its control points.
+    fn with_curve_of_points(&self, machine: &mut Machine, args: Arguments) -> Result<Arguments> {
+        let of_curves = |parameter: &Parameter| matches!(parameter.kind, Takes::Curve | Takes::Polar | Takes::Geometry);
+        let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
+        if !places.next().is_some_and(of_curves) || places.next().is_some_and(of_curves) {
+            return Ok(args);
+        }
+        let number = |value: &Value| value.as_rational().is_some() && !matches!(value, Value::List(_));
+        let point = |value: &Value| {
+            matches!(value, Value::List(items) if items.len() > 1 && items.iter().all(number))
+        };
+        let points = |items: &[Value]| items.len() > 1 && (items.iter().all(number) || items.iter().all(point));
+        let most = self.parameters.iter().filter(|parameter| parameter.has_place());
+        let most = most.map(|p| if let Need::Many(_, most) = p.need { most } else { 1 }).fold(0, usize::saturating_add);
+        let side_by_side: Vec<Value> = args.values().cloned().collect();
+        let args = match side_by_side.len() > most && !args.has_names() && points(&side_by_side) {
+            true => {
+                let span = args.span(0).to(args.span(args.len() - 1));
+                args.gathered(span)
+            }
+            false => args,
+        };
+        let Some((Value::List(items), span)) = args.given(0) else { return Ok(args) };
+        let Some(bezier) = super::table::builtin("bezier").filter(|_| points(items.as_slice())) else {
+            return Ok(args);
+        };
+        let mut own = Arguments::default();
+        own.push(Value::List(items.clone()), span);
+        let curve = bezier.run_once(machine, own)?;
+        let written = crate::language::write::text(&curve.to_expr());
+        machine.note(
+            Diagnostic::note(Code::StandardMeaning, format!("read as the curve {written}")).at(span),
+        );
+        Ok(args.with_first(curve))
     }
 
     /// bezier((0, 0), (1, 1), (2, 0)): three lists and more, where one is expected and numbers follow, are its items.

@@ -3,6 +3,7 @@
 
 pub(crate) mod asking;
 pub(crate) mod families;
+pub(crate) mod fractions;
 pub mod letters;
 pub(crate) mod phrases;
 pub(crate) mod relations;

@@ -55,6 +55,14 @@ pub(crate) enum Phrase {
     Multiplicity(i64),
     /// The knots are equally spaced.
     Uniform,
+    /// Something has a property: has derivative 0.
+    Has,
+    /// So many of them, from the first on: first three.
+    First(i64),
+    /// A curve, of which it is not said which kind it is.
+    Curve,
+    /// The degree that a polynomial has, where one is given that it may have.
+    TrueDegree,
     /// What follows is applied to something: apply.
     Apply,
     /// What it is applied to follows.
@@ -115,6 +123,8 @@ pub(crate) enum Label {
     Uniform,
     /// How often a knot stands.
     Multiplicity,
+    /// The points of a triangle.
+    Net,
 }
 
 impl Label {

@@ -149,6 +149,8 @@ pub(super) fn without_asides<'a>(
             Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
                 is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
             }
+            // 1, 3, 2 (Bézier)
+            Some((Phrase::Function("bezier" | "bspline"), length)) => length == inside.len(),
             _ => false,
         };
         if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {

@@ -14,6 +14,7 @@ mod totals;
 use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
 pub(crate) use self::counts::Count;
 use crate::formula::BigOp;
+pub(crate) use self::totals::family_index;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase, Place};
 
@@ -115,8 +116,7 @@ pub(crate) fn request(
     let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
-    let value = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
-    if !(asks::is_request(text, &parts) || about && parts.iter().any(value)) {
+    if !(asks::is_request(text, &parts) || about && asks::is_about_something(text, &parts)) {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -501,6 +501,13 @@ impl Reader<'_> {
 
     /// What a function is applied to: nothing if labels follow at once, which may also stand before it.
     fn argument(&mut self, labels: &mut Vec<Said>) -> Option<Option<Request>> {
+        // 贝塞尔曲线的极形式 is the polar form of the curve
+        if let [Part::Phrase(Phrase::Of, of), Part::Phrase(Phrase::Function(_), _), ..] =
+            self.parts.get(self.at..).unwrap_or_default()
+            && self.text.piece(of.range()) == "的"
+        {
+            return Some(None);
+        }
         loop {
             while self.take(Phrase::Of) {}
             match self.next() {

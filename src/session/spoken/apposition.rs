@@ -66,6 +66,7 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
             let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
             let of_one = match env.get(&Symbol::new(name)) {
                 Some(Value::Function(function)) => function.as_formula().is_some(),
+                Some(Value::Scalar(formula)) => formula.variables().len() == 1,
                 _ => false,
             };
             let form = call("polar", vec![(**callee).clone()], callee.span);
@@ -144,7 +145,13 @@ pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnosti
 /// 1, 3, 1; the cubic 0, 0, 8, 8 at 1/2.
 pub(super) fn curve_of_points(drafts: &mut Vec<Draft>, items: &[Expr], said: &[Read]) {
     let says = |label: Label| said.iter().any(|read| read.label == label);
-    let curve = says(Label::Rational) || says(Label::OfDegree) && says(Label::At);
+    let number = |item: &Expr| matches!(item.kind, Kind::Number(_) | Kind::Div(..) | Kind::Tuple(_) | Kind::Subscript(..) | Kind::Name(_))
+        || matches!(&item.kind, Kind::Add(terms) if terms.len() == 1);
+    let counted = said.iter().any(|read| {
+        read.label == Label::OfDegree
+            && matches!(read.items.as_slice(), [degree] if degree.as_int().is_some_and(|n| usize::try_from(n + 1) == Ok(items.len())))
+    }) && items.iter().all(number);
+    let curve = says(Label::Rational) || counted || says(Label::OfDegree) && says(Label::At);
     if let (true, [first, _, ..], true, false) = (drafts.is_empty(), items, curve, says(Label::Knots))
         && let Some(bezier) = builtin("bezier")
     {

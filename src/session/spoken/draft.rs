@@ -61,6 +61,26 @@ fn is_list(kind: Takes) -> bool {
     )
 }
 
+/// The interval of a Bézier curve that is called: bezier([0, 1, 3])(t).
+fn interval_of(called: &Expr) -> Option<[Expr; 2]> {
+    let Kind::Apply(curve, _) = &called.kind else { return None };
+    let Kind::Apply(callee, groups) = &curve.kind else { return None };
+    if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
+        return None;
+    }
+    let arguments = groups.first()?;
+    let end = |name: &str, other: i64| {
+        let own = arguments.iter().filter_map(eval::named).find(|(own, _)| own == name);
+        own.map_or_else(|| Expr::int(other), |(_, value)| value.clone())
+    };
+    let placed: Vec<&Expr> = arguments.iter().filter(|argument| eval::named(argument).is_none()).collect();
+    match placed.as_slice() {
+        [_, a, b] => Some([(*a).clone(), (*b).clone()]),
+        [_] => Some([end("a", 0), end("b", 1)]),
+        _ => None,
+    }
+}
+
 impl Draft {
     pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
         Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), part: None, degree: None }
@@ -68,6 +88,12 @@ impl Draft {
 
     /// Takes the words of its own phrase that are values of parameters: Chaikin's scheme.
     pub(super) fn take_words(&mut self, phrase: &str) {
+        const FOUR_POINT: &[&str] =
+            &["four point", "four-point", "vierpunkt", "vier punkt", "vier-punkt", "quatre points", "cuatro puntos", "quattro punti", "四点"];
+        if self.builtin.name == "subdivide_polygon" && FOUR_POINT.iter().any(|own| phrase.contains(own)) {
+            self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
+            return;
+        }
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
             let found =
@@ -88,6 +114,11 @@ impl Draft {
                     Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry
                 ) || first.kind == Takes::Coordinates && read.items.len() > 1
             }
+            // one step of Chaikin's scheme on 0, 4, 8
+            Label::Over => {
+                self.builtin.name == "subdivide_polygon"
+                    && (read.items.len() > 1 || matches!(&read.items[0].kind, Kind::List(_)))
+            }
             Label::Nodes => first.name == "nodes",
             Label::With => {
                 !matches!(first.kind, Takes::Size)
@@ -105,8 +136,15 @@ impl Draft {
             // the derivative of 0, 1, 3
             Takes::Function => {
                 let number = |item: &Expr| matches!(item.kind, Kind::Number(_));
-                let numbers = self.builtin.name == "derivative" && items.iter().all(number);
+                let simple = |item: &Expr| number(item) || matches!(item.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Div(..));
+                let numbers = self.builtin.name == "derivative"
+                    && (items.iter().all(number) || items.len() > 2 && items.iter().all(simple));
                 items.len() > 1 && (is_points(items) || numbers)
+            }
+            // the blossom of 0, 1, 3
+            Takes::Polynomial if self.builtin.name == "polar" => {
+                items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
+                    || items.len() > 1 && is_points(items)
             }
             Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
             Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
@@ -175,7 +213,9 @@ impl Draft {
         if let ("bezier", [formula]) = (self.builtin.name, items.as_slice())
             && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
         {
-            return false;
+            let Some(points) = builtin("bezier_points").filter(|_| self.named.is_empty()) else { return false };
+            self.builtin = points;
+            return self.is_about(items, said);
         }
         // t^2 as a spline
         if let ("bspline", [formula]) = (self.builtin.name, items.as_slice())
@@ -354,6 +394,8 @@ impl Draft {
         let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
         let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
         let found = match read.label {
+            // raise the degree by 2
+            Label::In if number && matches!(self.builtin.name, "elevate" | "reduce") => single(&["k"]),
             Label::OfDegree => return self.take_degree(read, first),
             // Without weights it is not known which curve is meant.
             Label::Rational => {
@@ -471,6 +513,14 @@ impl Draft {
                 }
             }
             self.placed.insert(0, inside);
+        }
+        // The largest value of a Bézier polynomial is the one over its interval.
+        if matches!(self.builtin.name, "maximum" | "minimum")
+            && self.placed.len() == 1
+            && let Some([a, b]) = interval_of(&self.placed[0])
+            && !self.named.iter().any(|(name, _)| matches!(*name, "a" | "b"))
+        {
+            self.named.extend([("a", a), ("b", b)]);
         }
         let phrase = self.phrase;
         let call =

@@ -41,6 +41,7 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
             read.items = vec![Expr { span: first[0].span, ..whole }];
         }
     }
+    triangles(said);
     let mut runs: Vec<(Label, Vec<Equation>)> = Vec::new();
     for read in &mut *said {
         if !matches!(read.label, Label::With | Label::Points | Label::Weights | Label::Knots) {
@@ -77,12 +78,42 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
     }
 }
 
+/// The points of a triangle by their three indices, i and then j descending: b200 = 1, b110 = 2, …
+fn triangles(said: &mut Vec<Read>) {
+    let mut found: Vec<([i64; 3], String, Expr)> = Vec::new();
+    for read in said.iter().filter(|read| matches!(read.label, Label::With | Label::Points)) {
+        for item in &read.items {
+            let Some(one) = Equation::of(item) else { continue };
+            let Some(indices) = one.three() else { continue };
+            found.push((indices, one.letter, one.value));
+        }
+    }
+    let Some((first, letter, _)) = found.first() else { return };
+    let degree: i64 = first.iter().sum();
+    let alike = found.iter().all(|(own, other, _)| own.iter().sum::<i64>() == degree && other == letter);
+    let needed = degree.checked_add(2).and_then(|next| (degree + 1).checked_mul(next)).map(|twice| twice / 2);
+    if !alike || degree < 1 || i64::try_from(found.len()).ok() != needed {
+        return;
+    }
+    found.sort_by_key(|(indices, ..)| std::cmp::Reverse(*indices));
+    if found.windows(2).any(|pair| pair[0].0 == pair[1].0) {
+        return;
+    }
+    for read in said.iter_mut().filter(|read| matches!(read.label, Label::With | Label::Points)) {
+        read.items.retain(|item| Equation::of(item).is_none_or(|one| one.three().is_none()));
+    }
+    said.retain(|read| !read.items.is_empty());
+    said.push(Read { label: Label::Net, items: found.into_iter().map(|(.., value)| value).collect() });
+}
+
 /// A name with its value.
 struct Equation {
     letter: String,
     index: Option<i64>,
     value: Expr,
     whole: Expr,
+    /// How many digits its only index has.
+    written: usize,
 }
 
 impl Equation {
@@ -93,12 +124,37 @@ impl Equation {
             Kind::Name(letter) => (letter.clone(), None),
             Kind::Subscript(base, indices) => match (&base.kind, indices.as_slice()) {
                 (Kind::Name(letter), [index]) => (letter.clone(), Some(index.as_int()?)),
+                (Kind::Name(letter), [_, _, _]) => (letter.clone(), None),
                 _ => return None,
             },
             _ => return None,
         };
         let value = as_list(link.expr.clone());
-        (link.rel == crate::formula::Rel::Eq).then(|| Equation { letter, index, value, whole: item.clone() })
+        let written = left.span.len().saturating_sub(letter.len());
+        (link.rel == crate::formula::Rel::Eq).then(|| Equation {
+            letter,
+            index,
+            value,
+            whole: item.clone(),
+            written,
+        })
+    }
+
+    /// Its three indices: b_{210}, b_{2,1,0}.
+    fn three(&self) -> Option<[i64; 3]> {
+        let Kind::Chain(left, _) = &self.whole.kind else { return None };
+        let Kind::Subscript(_, indices) = &left.kind else { return None };
+        match indices.as_slice() {
+            [i, j, k] => Some([i.as_int()?, j.as_int()?, k.as_int()?]),
+            [number] => {
+                const SMALLEST: i64 = 100;
+                let number = number.as_int().filter(|number| *number < 1000)?;
+                // b_020 is 20 with a zero before it.
+                let three = number >= SMALLEST || self.written >= 3;
+                three.then_some([number / 100, number / 10 % 10, number % 10])
+            }
+            _ => None,
+        }
     }
 
     /// Whether it gives a value rather than a function.

@@ -2,9 +2,9 @@
 
 use super::{Reader, draft, one_term};
 use crate::formula::source::Span;
-use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, call};
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, applied, call};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::syntax::{Count, Total, What};
+use crate::language::syntax::{Count, Total, What, family_index};
 use crate::session::Failure;
 
 impl Reader<'_> {
@@ -102,6 +102,23 @@ impl Reader<'_> {
 
     /// The sum or product that is asked for in words.
     pub(super) fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
+        if total.range == total.body
+            && let Some((index, degree)) = family_index(self.file.slice(total.body.shifted(self.start)))
+        {
+            let body = self.one(total.body)?;
+            let span = total.phrase.shifted(self.start).to(body.span);
+            let name = |text: &str| match text.parse::<i64>() {
+                Ok(number) => Expr { span, ..Expr::int(number) },
+                Err(_) => Expr { span, ..Expr::name(text) },
+            };
+            let body = match &body.kind {
+                Kind::Apply(..) => body,
+                _ => applied(body, vec![Expr { span, ..Expr::name("t") }], span),
+            };
+            let lower = vec![Expr { span, ..Expr::relation(name(index), Rel::Eq, Expr::int(0)) }];
+            let upper = Some(Box::new(name(degree)));
+            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper, body: Box::new(body) }, span));
+        }
         let (range, body) = (self.one(total.range)?, self.one(total.body)?);
         let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
         if let (Some(index), Some(end)) = (total.index, total.end) {

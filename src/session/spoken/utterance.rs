@@ -123,6 +123,66 @@ impl Utterance {
         }
     }
 
+    /// Points with three indices are those of a triangle.
+    fn triangles(&mut self) {
+        let Some(at) = self.said.iter().position(|read| read.label == Label::Net) else { return };
+        let own = self.drafts.iter().any(|draft| draft.builtin.name == "triangle_patch");
+        if let (true, false, Some(patch)) = (self.drafts.is_empty(), own, builtin("triangle_patch")) {
+            let span = self.said[at].items[0].span;
+            self.drafts.push(Draft::new(patch, span));
+        }
+        self.said[at].label = Label::Points;
+        if own && self.items.is_empty() {
+            self.items = self.said.remove(at).items;
+        }
+    }
+
+    /// Of a conic or a standard form that is asked for by weights alone any points will do.
+    fn weights_alone(&mut self) {
+        let of_weights =
+            |draft: &Draft| matches!(draft.builtin.name, "standard_form" | "conic_kind");
+        if !self.drafts.iter().any(of_weights) || !self.items.is_empty() || self.says(Label::Points) {
+            return;
+        }
+        let Some(weights) = self.said.iter().find(|read| read.label == Label::Weights) else { return };
+        let count = match weights.items.as_slice() {
+            [Expr { kind: Kind::List(items) | Kind::Tuple(items), .. }] => items.len(),
+            items => items.len(),
+        };
+        let span = weights.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+        let point = |i: usize| {
+            let number = |n: usize| Expr { span, ..Expr::int(i64::try_from(n).unwrap_or(0)) };
+            Expr::new(Kind::Tuple(vec![number(i), number(i * (count - 1 - i))]), span)
+        };
+        let points = (0..count).map(point).collect();
+        self.said.push(Read { label: Label::Points, items: points });
+        let curve = |draft: &Draft| draft.builtin.name == "bezier";
+        if let (false, Some(bezier)) = (self.drafts.iter().any(curve), builtin("bezier")) {
+            self.drafts.push(Draft::new(bezier, span));
+        }
+    }
+
+    /// The interval over which a curve is continued stands behind its own: continue 0, 1, 3 on [0, 1] C^1 on [1, 2].
+    fn continued(&mut self) {
+        let Some(at) = self.drafts.iter().position(|draft| draft.builtin.name == "continuation") else { return };
+        let place = |read: &Read| read.items.first().map_or(0, |item| item.span.start);
+        let intervals = |read: &&Read| {
+            matches!(read.label, Label::Over | Label::To | Label::In)
+                && matches!(read.items.as_slice(), [Expr { kind: Kind::List(ends), .. }] if ends.len() == 2)
+        };
+        let found: Vec<&Read> = self.said.iter().filter(intervals).collect();
+        let Some(last) = found.iter().max_by_key(|read| place(read)) else { return };
+        let Some([start, end]) = last.items[0].items() else { return };
+        let own = found.iter().find(|read| place(read) != place(last)).and_then(|read| read.items[0].items());
+        let begins = own.map_or(Some(1), |ends| ends.get(1).and_then(Expr::as_int));
+        if start.as_int() != begins {
+            return;
+        }
+        let (end, from) = (end.clone(), place(last));
+        self.drafts[at].named.push(("end", end));
+        self.said.retain(|read| !(intervals(&read) && place(read) == from));
+    }
+
     pub(super) fn says(&self, label: Label) -> bool {
         self.said.iter().any(|read| read.label == label)
     }
@@ -135,6 +195,9 @@ impl Utterance {
         knots::uniform(self);
         self.take_places();
         self.values_of_spline();
+        self.weights_alone();
+        self.triangles();
+        self.continued();
         // the quadratic spline (degree 2)
         let mut degrees: Vec<i64> = Vec::new();
         self.said.retain(|read| match (read.label, read.items.as_slice()) {

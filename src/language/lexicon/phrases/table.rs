@@ -57,7 +57,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("roots"),
-        "root~ | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
+        "root~ | a zero | have zero | touch zero | touches zero | have zeros | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
          radici | ceros",
     ),
     (
@@ -81,6 +81,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Function("discriminant"), "diskriminante | 判别式"),
     (Function("degree"), "polynomial degree"),
+    (
+        Phrase::TrueDegree,
+        "true degree | actual degree | exact degree | real degree | genuine degree | tatsächlicher grad | \
+         tatsächlichen grad | wahrer grad | wahren grad | echter grad | exakter grad | degré réel | degré effectif | \
+         degré exact | grado real | grado verdadero | grado effettivo | 真正的次数 | 实际次数",
+    ),
     (Function("coefficients"), "power coefficients | koeffizienten der potenzbasis"),
     (Function("coefficient"), "coefficient | koeffizient | coeff | 系数"),
     (
@@ -245,6 +251,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
     ),
     (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
+    (
+        Function("subdivide_polygon"),
+        "four point scheme | 4 point scheme | four point | vierpunktschema | vier punkt schema | schéma à quatre points | \
+         esquema de cuatro puntos | schema a quattro punti | 四点格式 | 四点法 | 四点细分",
+    ),
     (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
     (
         Function("barycentric"),
@@ -293,7 +304,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Place(Middle),
-        "at its middle knot | at the middle knot | am mittleren knoten | au nœud central | en el nudo central | at its middle | in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
+        "its middle knot | the middle knot | middle knot | at its middle knot | at the middle knot | am mittleren knoten | au nœud central | en el nudo central | at its middle | in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
          en el medio | por la mitad | nel mezzo | in half | in two halves | in zwei hälften | en deux moitiés",
     ),
     (
@@ -338,6 +349,20 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
          polynomial through | polynom durch | polynôme passant par | polinomio por | \
          polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
+    ),
+    (
+        Command("continuation"),
+        "continue | continue it | continue smoothly | next | next curve | next segment | next piece | following segment | setze fort | \
+         fortsetzen | nächstes segment | prolonge par | continúa | siguiente segmento | 延拓",
+    ),
+    (
+        Function("continuation"),
+        "continuation | smooth continuation | fortsetzung | prolongement | continuación | continuazione",
+    ),
+    (
+        Command("standard_form"),
+        "normalise | normalize | normalised | normalized | normiere | normalisiere | normaliser | normaliza | \
+         normalizza",
     ),
     (
         Function("hermite"),
@@ -413,7 +438,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "knot of multiplicity | knot with multiplicity | multiplicity | knoten der vielfachheit | vielfachheit | \
          nœud de multiplicité | multiplicité | nudo de multiplicidad | multiplicidad | 重数",
     ),
+    (Phrase::Has, "has | have a | hat | haben | tiene | possède | besitzt"),
+    (Phrase::First(2), "first two | ersten beiden | ersten zwei | deux premiers | primeros dos | dos primeros | 前两个"),
+    (Phrase::First(3), "first three | ersten drei | trois premiers | tres primeros | 前三个"),
+    (Phrase::First(4), "first four | ersten vier | quatre premiers | cuatro primeros | 前四个"),
     (Phrase::Uniform, "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | uniforme~ | 均匀"),
+    (Phrase::Curve, "curve | curve with | kurve | courbe | curva~ | 曲线"),
     (Phrase::Apply, "apply | wende | appliquer | applique | aplicar | aplica | applica"),
     (
         Phrase::AppliedTo,
@@ -513,20 +543,20 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "need | needs | needed | has | hat | haben | braucht | brauchen | benötigt | besitzt | tiene | necesita | possède | \
+        "need | needs | needed | braucht | brauchen | benötigt | necesita | \
          all | all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
-         value of | point | point on | exactly | exact | polynomial | function | curve | curve with | funktion | kurve | \
+         value of | point | point on | exactly | exact | polynomial | function | funktion | \
          polynom | was ist | berechne | bestimme | finde | gib | wandle | schreibe | um | die | \
          das | den | dem | calcule | calculer | calculez | donne | donner | donnez | trouvez | déterminez | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
-         écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
-         求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 点 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
+         écrire | quelle est | quel est | polynôme | svp | bitte | matrix | \
+         求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 点 | 请 | 矩阵 | 多项式 | 函数 | 过点 | poly | \
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
          wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
-         curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
+         wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments | \
          wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \

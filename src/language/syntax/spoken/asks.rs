@@ -15,6 +15,7 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
             | Phrase::Total(_)
             | Phrase::Between(_)
             | Phrase::Which
+            | Phrase::TrueDegree
             | Phrase::Uniform
             | Phrase::Equals => true,
             // N_{0,2}(1/2) for the knots 0, 1, 2, 3
@@ -44,16 +45,25 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
             if text.piece(span.range()).split_whitespace().next_back().is_some_and(pairs::is_order))
     });
     // given b0 = 1, b1 = 3, b2 = 1, at 1/2
-    let member = |part: &&Part| {
-        matches!(part, Part::Piece(span) if {
-            let piece = text.piece(span.range());
-            let index = piece.trim_start_matches(char::is_alphabetic).trim_start_matches('_');
-            begins_equation(piece) && index.starts_with(|c: char| c.is_ascii_digit())
-        })
-    };
+    let member = |part: &&Part| is_member(text, part);
     let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
     let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
     parts.iter().any(named) || polite || labelled || valued || qualified || smooth || given
+}
+
+/// Whether a value is asked for of something that was said before, or members are given of which something is asked behind.
+pub(super) fn is_about_something(text: &str, parts: &[Part]) -> bool {
+    let value = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
+    parts.iter().any(value) || parts.iter().filter(|part| is_member(text, part)).count() > 1
+}
+
+/// b1 = 3
+fn is_member(text: &str, part: &Part) -> bool {
+    matches!(part, Part::Piece(span) if {
+        let piece = text.piece(span.range());
+        let index = piece.trim_start_matches(char::is_alphabetic).trim_start_matches(['_', '{']);
+        begins_equation(&piece.replace(['{', '}'], "")) && index.starts_with(|c: char| c.is_ascii_digit())
+    })
 }
 
 /// From one basis to another: `Bernstein to monomials: 1, 0, 2` are the monomials of what is given in the first.

@@ -1,12 +1,20 @@
 //! What phrases mean beside each other, before the request is read: Bernstein coefficients that are given are points, a cubic
 //! spline with control points is a B-spline.
 
-use crate::formula::source::Pieces;
+use super::pairs::is_order;
+use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 /// The parts of a request with the phrases in place of which others are meant.
 pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
+    properties(&mut parts);
+    steps(&mut parts);
+    curves(text, &mut parts);
+    behind(text, &mut parts);
+    weights(&mut parts);
+    continuations(text, &mut parts);
+    true_degrees(text, &mut parts);
     given_in_bernstein(text, &mut parts);
     splines(&mut parts);
     formulas_in_bernstein(text, &mut parts);
@@ -103,5 +111,221 @@ fn applied(parts: &mut Vec<Part>) {
     if let (Some(function), Some(Part::Piece(_))) = (function.filter(|own| *own < at), parts.get(at + 1)) {
         let object: Vec<Part> = parts.drain(at..at + 2).skip(1).collect();
         parts.splice(function + 1..function + 1, object);
+    }
+}
+
+/// The curve 0, 1, 3 is a Bézier curve; the curve y = x^2 is what its equation says.
+fn curves(text: &str, parts: &mut Vec<Part>) {
+    let other = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Label(Label::Knots | Label::Through | Label::Values | Label::Nodes)
+                    | Phrase::Function(
+                        "bezier"
+                            | "bspline"
+                            | "bspline_basis"
+                            | "lagrange"
+                            | "newton"
+                            | "hermite"
+                            | "cubic_spline"
+                            | "continuity"
+                            | "geometric_continuity"
+                            | "insert_knots"
+                    ),
+                _
+            )
+        )
+    };
+    let others = parts.iter().any(other);
+    let mut at = 0;
+    while let Some(part) = parts.get(at) {
+        let Part::Phrase(Phrase::Curve, span) = *part else {
+            at += 1;
+            continue;
+        };
+        let points = matches!(
+            parts.get(at + 1),
+            Some(Part::Phrase(
+                Phrase::Label(Label::Points) | Phrase::Function("control_points" | "bezier_points"),
+                _
+            ))
+        );
+        let with = matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::With) | Phrase::Of, _)))
+            && matches!(
+                parts.get(at + 2),
+                Some(Part::Phrase(
+                    Phrase::Label(Label::Points) | Phrase::Function("control_points" | "bezier_points"),
+                    _
+                ))
+            );
+        if !others && (points || with || several(text, parts.get(at + 1))) {
+            parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
+            at += 1;
+        } else {
+            parts.remove(at);
+        }
+    }
+}
+
+/// The degree that is left when coefficients are 0: the true degree of the cubic 0, 1, 2, 3; is the cubic 0, 1, 2, 3 quadratic?
+fn true_degrees(text: &str, parts: &mut Vec<Part>) {
+    let expanded = |span| {
+        [Part::Phrase(Phrase::Function("degree"), span), Part::Phrase(Phrase::Function("expand"), span)]
+    };
+    // is the cubic 0, 1, 2, 3 quadratic?
+    if let [
+        Part::Phrase(Phrase::Is, is),
+        degree @ Part::Phrase(Phrase::Degree(_), span),
+        list @ Part::Piece(_),
+        Part::Phrase(Phrase::Degree(_), own),
+    ] = parts.as_slice()
+        && several(text, Some(list))
+    {
+        let (is, degree, span, list, own) = (*is, *degree, *span, *list, *own);
+        let curve = Part::Phrase(Phrase::Function("bezier"), span);
+        let [outer, inner] = expanded(is);
+        *parts = vec![outer, inner, degree, curve, list, Part::Phrase(Phrase::Equals, is), Part::Piece(own)];
+        return;
+    }
+    if let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::TrueDegree, _))) {
+        let Part::Phrase(_, span) = parts[at] else { return };
+        let own = parts.iter().any(|part| {
+            matches!(part, Part::Phrase(Phrase::Function("bezier") | Phrase::Label(Label::Points), _))
+        });
+        parts.splice(at..=at, expanded(span));
+        // of 0, 1, 2, 3
+        let rest = parts.iter().skip(at + 2).position(|part| several(text, Some(part)));
+        if let (Some(list), false) = (rest, own) {
+            parts.insert(at + 2 + list, Part::Phrase(Phrase::Function("bezier"), span));
+        }
+    }
+}
+
+/// What something has, before it: the derivative 0 at 1/2 that the cubic 0, 1, 3, 1 has is its derivative, which equals 0.
+fn properties(parts: &mut Vec<Part>) {
+    while let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Has, _))) {
+        let Part::Phrase(_, span) = parts.remove(at) else { return };
+        let ordinal = usize::from(matches!(parts.get(at), Some(Part::Phrase(Phrase::Ordinal(_), _))));
+        if let (Some(Part::Phrase(Phrase::Function("derivative"), _)), Some(Part::Piece(_))) =
+            (parts.get(at + ordinal), parts.get(at + ordinal + 1))
+            && at > 0
+        {
+            let start = usize::from(matches!(parts.first(), Some(Part::Phrase(Phrase::Is, _))));
+            let function: Vec<Part> = parts.splice(at..=at + ordinal, [Part::Phrase(Phrase::Equals, span)]).collect();
+            parts.splice(start..start, function.into_iter().chain([Part::Phrase(Phrase::Of, span)]));
+        }
+    }
+}
+
+/// A kind of curve behind its points: evaluate 1, 3, 2 at 1/2 (bezier).
+fn behind(text: &str, parts: &mut Vec<Part>) {
+    let last = parts.len().saturating_sub(1);
+    let Some(Part::Phrase(Phrase::Function("bezier"), span)) = parts.get(last).copied() else { return };
+    let others = parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function("bezier"), _))).count();
+    let list = parts.iter().position(|part| several(text, Some(part)));
+    let bare = |at: usize| {
+        at == 0 || !matches!(parts.get(at - 1), Some(Part::Phrase(Phrase::Label(_) | Phrase::Function("bezier_points" | "control_points"), _)))
+    };
+    if let Some(at) = list.filter(|at| others == 1 && at + 1 < last && bare(*at)) {
+        parts.truncate(last);
+        parts.insert(at, Part::Phrase(Phrase::Function("bezier"), span));
+    }
+}
+
+/// Weights that are brought to standard form: normalise the weights 1, 2, 4; the standard form of the weights 1, 2, 4.
+fn weights(parts: &mut Vec<Part>) {
+    let of_weights = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Label(Label::Weights), _)));
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))) {
+        let curve = |part: &Part| matches!(part, Part::Phrase(Phrase::Is | Phrase::Function("bezier"), _));
+        parts.retain(|part| !curve(part));
+        return;
+    }
+    let points = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(Phrase::Label(Label::Points) | Phrase::Function("bezier" | "control_points" | "bspline"), _)
+        )
+    };
+    if !of_weights || parts.iter().any(points) {
+        return;
+    }
+    let standard = |part: &Part| match part {
+        Part::Phrase(Phrase::Function("expand"), span) => Some((*span, true)),
+        Part::Phrase(Phrase::Command("standard_form"), span) => Some((*span, false)),
+        _ => None,
+    };
+    let command = parts.iter().any(|part| matches!(standard(part), Some((_, false))));
+    let Some(at) = parts.iter().position(|part| standard(part).is_some_and(|(_, form)| form != command)) else {
+        return;
+    };
+    let Some((span, _)) = standard(&parts[at]) else { return };
+    parts.splice(
+        at..=at,
+        [
+            Part::Phrase(Phrase::Function("weights"), span),
+            Part::Phrase(Phrase::Function("standard_form"), span),
+        ],
+    );
+    // to standard form
+    if let [.., Part::Phrase(Phrase::Label(Label::To | Label::In), _), Part::Phrase(Phrase::Function("expand"), _)] =
+        parts.as_slice()
+    {
+        parts.truncate(parts.len() - 2);
+    }
+}
+
+/// The order to which a curve is continued, and how many control points that determines: continue 0, 1, 3 C^1, first two points.
+fn continuations(text: &str, parts: &mut Vec<Part>) {
+    let own = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(Phrase::Function("continuation") | Phrase::Command("continuation"), _)
+        )
+    };
+    if !parts.iter().any(own) {
+        return;
+    }
+    let mut order = None;
+    for at in 0..parts.len() {
+        let Part::Piece(span) = parts[at] else { continue };
+        let piece = text.piece(span.range());
+        let Some(word) = piece.split_whitespace().next_back().filter(|word| is_order(word)) else { continue };
+        let Ok(number) = word.trim_start_matches(['C', 'G', '^']).parse::<i64>() else { return };
+        if word.starts_with('G') || order.is_some() {
+            return;
+        }
+        order = Some(number);
+        let rest = piece.strip_suffix(word).unwrap_or(piece).trim_end_matches([',', ' ']);
+        let phrase = Part::Phrase(Phrase::Ordinal(number), Span::new(span.end - word.len(), span.end));
+        match rest.is_empty() {
+            true => parts[at] = phrase,
+            false => {
+                parts.splice(at..=at, [Part::Piece(Span::new(span.start, span.start + rest.len())), phrase]);
+            }
+        }
+        break;
+    }
+    let (Some(number), Some(from)) = (order, parts.iter().position(own)) else { return };
+    let first = |part: &Part| matches!(part, Part::Phrase(Phrase::First(count), _) if *count == number + 1);
+    if let Some(at) = parts.iter().skip(from).position(first) {
+        parts.remove(from + at);
+    }
+    if let Some(Part::Phrase(Phrase::Function("control_points" | "bezier_points") | Phrase::Label(Label::Points), _)) =
+        parts.last()
+    {
+        parts.pop();
+    }
+}
+
+/// 2 steps: how often stands before its word.
+fn steps(parts: &mut [Part]) {
+    for at in 0..parts.len().saturating_sub(1) {
+        let label = at > 0 && matches!(parts[at - 1], Part::Phrase(Phrase::Label(_), _));
+        if let (Part::Piece(_), Part::Phrase(Phrase::Label(Label::Times), _), false) = (parts[at], parts[at + 1], label)
+            && at > 0
+        {
+            parts.swap(at, at + 1);
+        }
     }
 }

@@ -40,9 +40,7 @@ impl Reader<'_> {
             matches!(part, Part::Phrase(Phrase::Function("in_bernstein" | "bernstein" | "bezier"), _))
         };
         let curves = self.parts.iter().any(own);
-        while matches!(self.phrase(), Some(Phrase::Degree(_))) && self.parts.get(self.at + 1).is_some_and(own)
-            || self.next().as_ref().is_some_and(own)
-        {
+        while curves && matches!(self.phrase(), Some(Phrase::Degree(_))) || self.next().as_ref().is_some_and(own) {
             self.at += 1;
         }
         let mut found = Vec::new();
@@ -110,8 +108,19 @@ impl Reader<'_> {
                     self.at += 1;
                     end = Some(piece(self)?);
                 }
+                _ if range.is_none()
+                    && body.is_some_and(|body| family_index(self.text.piece(body.range())).is_some()) =>
+                {
+                    break;
+                }
                 _ => return None,
             }
+        }
+        // the sum of all B_i^4
+        if range.is_none()
+            && let Some(family) = body.filter(|body| family_index(self.text.piece(body.range())).is_some())
+        {
+            return Some(Total { op, phrase, body: family, range: family, end: None, index: None });
         }
         let range = range.filter(|range| index.is_some() || is_range(*range))?;
         if index.is_some() && end.is_none() {
@@ -119,4 +128,16 @@ impl Reader<'_> {
         }
         Some(Total { op, phrase, body: body?, range, end, index })
     }
+}
+
+/// The letter of the index and the degree of all members of a family: B_i^4.
+pub(crate) fn family_index(text: &str) -> Option<(&str, &str)> {
+    let rest = text.strip_prefix('B')?.strip_prefix('_')?;
+    let (index, upper) = rest.split_once('^')?;
+    let index = index.trim_start_matches('{').trim_end_matches('}');
+    let upper = upper.split('(').next()?.trim();
+    let upper = upper.trim_start_matches('{').trim_end_matches('}');
+    let letter = index.chars().count() == 1 && index.chars().all(|c| matches!(c, 'i' | 'j' | 'k'));
+    let degree = !upper.is_empty() && upper.chars().all(char::is_alphanumeric);
+    (letter && degree).then_some((index, upper))
 }
