@@ -103,7 +103,11 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
         // u v is a product here, no list.
-        let claimed = equals.map(|span| self.one(span)).transpose()?.map(|claimed| self.with_products(claimed));
+        let claimed = match equals {
+            Some(What::Formula(span)) => Some(self.with_products(self.one(span)?)),
+            Some(What::Degree(number)) => Some(Expr::int(number)),
+            _ => None,
+        };
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
@@ -132,6 +136,11 @@ impl Reader<'_> {
             }
             // compute 3 + 4
             if asked.drafts.is_empty() {
+                if let ([one], [Read { label: Label::Times, items }]) = (asked.items.as_slice(), asked.said.as_slice())
+                    && let [count] = items.as_slice()
+                {
+                    return Ok(draft::repeated(one, count));
+                }
                 return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
                     ([one], []) => Some(match claimed {
                         Some(right) => equation(one.clone(), right),
@@ -149,8 +158,9 @@ impl Reader<'_> {
             }
             if let [innermost] = asked.drafts.as_slice()
                 && let Some((meant, used)) =
-                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env)
+                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env, self.topic)
             {
+                self.used_topic.set(self.topic.is_some());
                 asked.said.drain(..used);
                 asked.formula = Some(meant);
                 asked.drafts.clear();
@@ -220,8 +230,12 @@ impl Reader<'_> {
                     (labels, phrase)
                 }
                 Request::Formula(spans, labels) => {
+                    let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
                     for span in spans {
-                        asked.items.extend(self.items(span)?);
+                        match self.in_brackets(span).filter(|_| polar) {
+                            Some(value) => asked.items.push(value?),
+                            None => asked.items.extend(self.items(span)?),
+                        }
                     }
                     (labels, Span::default())
                 }
@@ -561,7 +575,12 @@ impl Reader<'_> {
         let session = self.session;
         // x: 0 1 3
         let text = self.file.slice(span);
-        if let Some((name, list)) = text.split_once(": ")
+        let spaced = |list: &&str| {
+            let numbers = |c: char| c.is_ascii_digit() || matches!(c, ' ' | '/' | '.' | '-');
+            list.trim().contains(' ') && list.chars().all(numbers) && !list.contains("- ")
+        };
+        if let Some((name, list)) =
+            text.split_once(": ").or_else(|| text.split_once('=').filter(|(_, list)| spaced(list)))
             && name.trim_end().chars().count() == 1
             && name.starts_with(char::is_alphabetic)
         {
@@ -575,6 +594,16 @@ impl Reader<'_> {
             };
             let list = Expr::new(Kind::List(items), Span::new(start, span.end));
             return Ok(vec![Expr { span, ..Expr::relation(letter, Rel::Eq, list) }]);
+        }
+        // b200=1 b020=3
+        let members = lists::members(text);
+        if !members.is_empty() {
+            let read = |(start, end): (usize, usize)| {
+                let place = Span::new(span.start + start, span.start + end);
+                guarded(&session.limits, || read_in(&session.env, self.file, Some(place)))
+                    .map_err(|problem| self.fail(problem))
+            };
+            return members.into_iter().map(read).collect();
         }
         // 10,20 40,80 80,80
         let pairs = lists::pairs(text);

@@ -239,7 +239,7 @@ impl Builtin {
         let most = self.parameters.iter().filter(|parameter| parameter.has_place());
         let most = most.map(|p| if let Need::Many(_, most) = p.need { most } else { 1 }).fold(0, usize::saturating_add);
         let side_by_side: Vec<Value> = args.values().cloned().collect();
-        let args = match side_by_side.len() > most && !args.has_names() && points(&side_by_side) {
+        let args = match side_by_side.len() > most && points(&side_by_side) {
             true => {
                 let span = args.span(0).to(args.span(args.len() - 1));
                 args.gathered(span)

@@ -35,7 +35,7 @@ pub(super) fn parts(
         };
         // 5! is a factorial
         let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
-        if !trimmed.is_empty() {
+        if !trimmed.is_empty() && !matches!(trimmed, "'" | "’") {
             let from = from + (piece.len() - piece.trim_start_matches(separates).len());
             parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
         }
@@ -178,6 +178,12 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     if known(written) {
         return false;
     }
+    // both halves' control points
+    if matches!(phrase, Phrase::Filler) && written.ends_with('s') && text.piece(at + length..).starts_with(['\'', '’'])
+        && text.piece(at + length..).chars().nth(1).is_some_and(char::is_whitespace)
+    {
+        return true;
+    }
     if written.ends_with(['\'', '’']) || written.contains(is_ideograph) {
         return true;
     }
@@ -247,7 +253,10 @@ pub(super) fn has_words(piece: &str, known: &dyn Fn(&str) -> bool) -> bool {
         let after = rest.piece(length..);
         let spaced = matches!(before, ' ' | ',' | ':' | ';') && !after.starts_with(['(', '[', '_']);
         let long = word.chars().count() > 2 || word.chars().any(is_ideograph);
-        let name = known(word) || letters::sign(word).is_some();
+        // uvw, xyz
+        let arguments = word.chars().all(|c| matches!(c, 'r'..='w')) && word != "rust"
+            || word.chars().all(|c| matches!(c, 'x'..='z'));
+        let name = known(word) || letters::sign(word).is_some() || arguments;
         if spaced && long && !name && before != '\\' {
             return true;
         }

@@ -24,7 +24,7 @@ pub(crate) struct Asked {
     /// What is asked for.
     pub request: Request,
     /// Its value, if one is said.
-    pub equals: Option<Span>,
+    pub equals: Option<What>,
 }
 
 /// What is asked for.
@@ -212,7 +212,7 @@ impl Reader<'_> {
         {
             self.at += 3;
             let request = Request::Formula(vec![*left], Vec::new());
-            return Some(Asked { request, equals: Some(*right) });
+            return Some(Asked { request, equals: Some(What::Formula(*right)) });
         }
         // does t^3 - t have roots in [0, 1]?
         let finds = |part: &Part| {
@@ -233,12 +233,16 @@ impl Reader<'_> {
             self.at += 1;
             self.take(Phrase::Is);
             let request = self.request()?;
-            return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(claimed) });
+            return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(What::Formula(claimed)) });
         }
         let mut request = self.request()?;
         let mut equals = None;
         if (self.take(Phrase::Equals) || self.take(Phrase::Is))
-            && let Some(Part::Piece(value)) = self.next()
+            && let Some(value) = match self.next() {
+                Some(Part::Piece(value)) => Some(What::Formula(value)),
+                Some(Part::Phrase(Phrase::Degree(degree), _)) => Some(What::Degree(degree)),
+                _ => None,
+            }
             && request.has_value()
         {
             self.at += 1;

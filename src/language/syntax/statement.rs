@@ -73,7 +73,11 @@ fn ends_sentence(text: &str, token: &Token) -> bool {
         && asking::asks(next).is_none()
         && !words::is_question(next)
         && !factor;
-    next.is_empty() || next.starts_with(['\n', '#']) || sentence && (rest != next || written == "。")
+    // b = 4. b(1/2)? is no product
+    let called = token.kind == TokenKind::Number && next.starts_with(char::is_alphabetic) && asking::asks(next).is_none();
+    next.is_empty()
+        || next.starts_with(['\n', '#'])
+        || (sentence || called) && (rest != next || written == "。")
 }
 
 /// Whether the last statement needs another line.

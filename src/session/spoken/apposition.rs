@@ -16,11 +16,17 @@ use crate::math::poly::Symbol;
 
 /// The formula that a function names with its own notation, and how many of the labels it has used, the first ones; `None`
 /// if it is asked for of something else.
-pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<(Expr, usize)> {
+pub(super) fn meant(
+    draft: &Draft,
+    items: &[Expr],
+    said: &[Read],
+    env: &Env,
+    topic: Option<&Expr>,
+) -> Option<(Expr, usize)> {
     // the divided differences of 1, 4, 9 at 1, 2, 3
     let several = items.len() > 1 && items.iter().all(is_number);
     if several && matches!(draft.builtin.name, "divided_differences" | "newton" | "lagrange") {
-        return meant(draft, &[list(items.to_vec())], said, env);
+        return meant(draft, &[list(items.to_vec())], said, env, topic);
     }
     let [item] = items else { return None };
     match (draft.builtin.name, &item.kind) {
@@ -64,6 +70,15 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
         // the blossom p(a, b, c) of a polynomial p(t)
         ("polar", Kind::Apply(callee, groups)) if said.is_empty() => {
             let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
+            // control points 0, 1, 3: blossom b(0, 1)
+            if let (Some(topic), None) = (topic, env.get(&Symbol::new(name)))
+                && arguments.len() > 1
+                && (name.chars().count() == 1)
+            {
+                let called = matches!(&topic.kind, Kind::Name(own) if own != name);
+                let form = call("polar", vec![topic.clone()], callee.span);
+                return (!called).then(|| (applied(form, arguments.clone(), item.span), 0));
+            }
             let of_one = match env.get(&Symbol::new(name)) {
                 Some(Value::Function(function)) => function.as_formula().is_some(),
                 Some(Value::Scalar(formula)) => formula.variables().len() == 1,

@@ -61,6 +61,19 @@ fn is_list(kind: Takes) -> bool {
     )
 }
 
+/// A call of a function that says how often: elevate(c) twice.
+pub(super) fn repeated(called: &Expr, count: &Expr) -> Option<Expr> {
+    let Kind::Apply(callee, groups) = &called.kind else { return None };
+    let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
+    let times = builtin(name)?.parameters.iter().find(|own| matches!(own.name, "k" | "times"))?;
+    if arguments.iter().any(|argument| eval::named(argument).is_some()) {
+        return None;
+    }
+    let mut arguments = arguments.clone();
+    arguments.push(named(times.name, count.clone()));
+    Some(applied((**callee).clone(), arguments, called.span))
+}
+
 /// The interval of a Bézier curve that is called: bezier([0, 1, 3])(t).
 fn interval_of(called: &Expr) -> Option<[Expr; 2]> {
     let Kind::Apply(curve, _) = &called.kind else { return None };
@@ -513,6 +526,22 @@ impl Draft {
                 }
             }
             self.placed.insert(0, inside);
+        }
+        // The control points of the parts of a curve are those of each.
+        if self.builtin.name == "control_points"
+            && let [parts] = self.placed.as_slice()
+            && matches!(&parts.kind, Kind::Apply(callee, _)
+                if matches!(&callee.kind, Kind::Name(name) if matches!(name.as_str(), "subdivide" | "pieces")))
+        {
+            let letter = Expr { span, ..Expr::name("c") };
+            let each = Expr::new(
+                Kind::Lambda(
+                    vec![letter.clone()],
+                    Box::new(crate::formula::call("control_points", vec![letter], span)),
+                ),
+                span,
+            );
+            return Some(crate::formula::call("map", vec![each, parts.clone()], span));
         }
         // The largest value of a Bézier polynomial is the one over its interval.
         if matches!(self.builtin.name, "maximum" | "minimum")

@@ -1,14 +1,15 @@
 //! Formulas that are polar forms, or are said to be: the polynomial on their diagonal, and the laws that they have to fulfil.
 
-use super::draft::{Draft, list};
+use super::draft::Draft;
 use super::utterance::Utterance;
 use super::{Reader, lists};
-use crate::formula::{Expr, Kind, Link, Rel, call};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Rel, applied, call};
 use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
 use crate::language::value::Value;
-use crate::session::{Failure, defines};
+use crate::session::{Failure, defines, guarded, items_in};
 
 /// Letters that stand for arguments of polar forms.
 const ARGUMENTS: &[char] = &['r', 's', 't', 'u', 'v', 'w', 'x', 'y', 'z'];
@@ -86,8 +87,8 @@ impl Reader<'_> {
         None
     }
 
-    /// What is claimed to be a polar form of something that has another number of arguments than the claim has letters: the laws
-    /// tell why it is none. Is u^2 v the blossom of t^3?
+    /// The claim that a formula is the polar form of something with more arguments than the formula has letters: is u^2 v the
+    /// blossom of t^3?
     pub(super) fn is_form_of(&self, claimed: &Expr, asked: &Utterance) -> Option<Expr> {
         let ([Draft { builtin, .. }], [of], []) =
             (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
@@ -101,13 +102,33 @@ impl Reader<'_> {
         if builtin.name != "polar" || matches!(of.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Chain(..)) {
             return None;
         }
-        let letters = lists::letters(&claim, of);
+        let mut letters = lists::letters(&claim, of);
         let mut degree = call("degree", vec![of.clone()], of.span);
         let degree = self.session.clone().evaluate(&mut degree, Equals::Claims).ok()?.value.as_int()?;
-        let fewer = i64::try_from(letters.len()).is_ok_and(|count| count < degree);
-        let broken = letters.len() > 1 && self.broken_law(&claim, &letters).is_some();
-        (letters.len() > 1 && (fewer || broken))
-            .then(|| call("laws", vec![claim.clone(), list(letters), of.clone()], claim.span.to(of.span)))
+        let missing = usize::try_from(degree).ok()?.checked_sub(letters.len()).filter(|missing| *missing > 0)?;
+        if letters.is_empty() {
+            return None;
+        }
+        let used: Vec<String> = letters.iter().chain([of]).flat_map(bases).collect();
+        let free = ["u", "v", "w", "r", "s", "p", "q"].into_iter().filter(|name| !used.iter().any(|own| own == name));
+        letters.extend(free.take(missing).map(|name| Expr { span: claim.span, ..Expr::name(name) }));
+        let span = claim.span.to(of.span);
+        let form = applied(call("polar", vec![of.clone()], of.span), letters, span);
+        Some(Expr { span, ..Expr::relation(form, Rel::Eq, claim) })
+    }
+
+    /// A polar value in brackets: p[0, 0, 3].
+    pub(super) fn in_brackets(&self, span: Span) -> Option<Result<Expr, Box<Failure>>> {
+        let span = span.shifted(self.start);
+        let text = self.file.slice(span);
+        let letter = text.chars().next().filter(|letter| letter.is_alphabetic())?;
+        let start = letter.len_utf8();
+        text.get(start..)?.strip_prefix('[')?.strip_suffix(']').filter(|inner| !inner.contains(['[', ']']))?;
+        let inner = Span::new(span.start + start + 1, span.end - 1);
+        let name = Expr { span: Span::new(span.start, span.start + start), ..Expr::name(letter.to_string()) };
+        let session = self.session;
+        let items = guarded(&session.limits, || items_in(&session.env, self.file, inner));
+        Some(items.map(|items| applied(name, items, span)).map_err(|problem| self.fail(problem)))
     }
 
     /// A formula with products in place of words of letters that stand for arguments: u v for uv.

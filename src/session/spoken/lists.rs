@@ -194,6 +194,29 @@ impl Equation {
     }
 }
 
+/// Where names with their values stand that have only blanks between them: `b200=1 b020=3`.
+pub(super) fn members(text: &str) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    for word in text.split_whitespace() {
+        let Some(start) = text.get(at..).and_then(|rest| rest.find(word)).map(|start| at + start) else {
+            return Vec::new();
+        };
+        at = start + word.len();
+        let named = word.split_once('=').is_some_and(|(name, value)| {
+            name.starts_with(char::is_alphabetic)
+                && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '{' | '}' | ','))
+                && !value.is_empty()
+                && !value.contains('=')
+        });
+        if !named {
+            return Vec::new();
+        }
+        found.push((start, at));
+    }
+    if found.len() > 1 { found } else { Vec::new() }
+}
+
 /// Where pairs of numbers stand that have only blanks between them: `0,0 1,2 2,0`.
 pub(super) fn pairs(text: &str) -> Vec<(usize, usize)> {
     let number = |text: &str| {

@@ -34,6 +34,14 @@ impl Utterance {
     pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
         // in t = 1
         let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+        let met = label == Label::Through;
+        // from [0, 1] to [0, 2]
+        if label == Label::From
+            && let [Expr { kind: Kind::List(ends), .. }] = items.as_slice()
+            && matches!(ends.as_slice(), [a, b] if a.as_int() == Some(0) && b.as_int() == Some(1))
+        {
+            return;
+        }
         let label = match label {
             Label::In if values => Label::At,
             // forma polare di t^2 in (1, 2)
@@ -45,11 +53,25 @@ impl Utterance {
             // the parabola through (0, 1), (1, 3), (2, 11)
             Label::Through if draft::is_points(&items) && self.drafts.is_empty() => Label::Through,
             Label::Through => {
-                self.through = items.first().map(|item| item.span);
+                self.through = self.through.or(items.first().map(|item| item.span));
                 Label::With
             }
             label => label,
         };
+        // through (0, 2), (1, 0) and (3, 8)
+        if let Some(last) = self.said.last_mut()
+            && self.through.is_some_and(|first| last.items.first().is_some_and(|item| item.span == first))
+            && met
+        {
+            last.items.extend(items);
+            return;
+        }
+        if let (Some(last), Label::Through) = (self.said.last_mut(), label)
+            && last.label == Label::Through
+        {
+            last.items.extend(items);
+            return;
+        }
         self.said.push(Read { label, items });
     }
 
@@ -115,7 +137,15 @@ impl Utterance {
     /// The values of a spline with knots are its coefficients: linear spline, knots 0, 0, 1, 1, values 3, 5.
     fn values_of_spline(&mut self) {
         let spline = self.drafts.iter().any(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
-        if spline && self.says(Label::Knots) && !self.says(Label::Points) && !self.says(Label::Nodes) {
+        // the quadratic with ordinates 0, 4, 0
+        let takes = |draft: &Draft| draft.builtin.parameters.iter().any(|own| matches!(own.name, "values" | "nodes"));
+        let ordinates = self.items.is_empty()
+            && !self.drafts.iter().any(takes)
+            && !self.said.iter().any(|read| matches!(read.label, Label::Through | Label::At | Label::With));
+        if (spline && self.says(Label::Knots) || ordinates)
+            && !self.says(Label::Points)
+            && !self.says(Label::Nodes)
+        {
             self.said
                 .iter_mut()
                 .filter(|read| read.label == Label::Values)

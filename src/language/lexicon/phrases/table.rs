@@ -181,12 +181,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("maximum"),
-        "largest | greatest | largest value | maximum value | maximal value | max value | größter wert | maximalwert | \
+        "maximal | maximale~ | am größten | largest | greatest | largest value | maximum value | maximal value | max value | größter wert | maximalwert | \
          plus grande valeur | valeur maximale | 最大值",
     ),
     (
         Function("minimum"),
-        "smallest | least | smallest value | least value | minimum value | minimal value | min value | kleinster wert | \
+        "minimal | minimale~ | am kleinsten | smallest | least | smallest value | least value | minimum value | minimal value | min value | kleinster wert | \
          minimalwert | plus petite valeur | valeur minimale | 最小值",
     ),
     (Command("min"), "which is smaller | which is less | was ist kleiner | smaller"),
@@ -322,7 +322,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Where,
-        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
+        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | how big is it | how big is it there | how large is it there | wie groß ist es | wie groß | \
          and how large is it | what is it there | wo | und wo | et où | y dónde | dónde | e dove | 在哪里",
     ),
     (
@@ -543,7 +543,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "need | needs | needed | braucht | brauchen | benötigt | necesita | \
+        "new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
          all | all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \

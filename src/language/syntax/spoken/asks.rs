@@ -28,6 +28,11 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
         |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
     let labelled =
         parts.windows(2).any(|pair| label(&pair[0]) && matches!(pair[1], Part::Phrase(Phrase::Of, _)));
+    let curve = parts.windows(2).any(|pair| {
+        matches!(pair[0], Part::Phrase(Phrase::Curve, _))
+            && matches!(pair[1], Part::Piece(span)
+                if is_several(text.piece(span.range())) && !begins_equation(text.piece(span.range())))
+    });
     let polite = matches!(parts.first(), Some(Part::Phrase(Phrase::Filler, _)))
         || matches!(parts.last(), Some(Part::Phrase(Phrase::Filler, _)));
     // bspline(2, [0, 0, 0, 1, 1, 1], [1, 2, 3]) at 1/2
@@ -39,6 +44,9 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
         matches!(pair[0], Part::Phrase(Phrase::Rational | Phrase::Degree(_), _))
             && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
     });
+    // elevate(c) twice
+    let repeated = matches!(parts, [Part::Piece(called), Part::Phrase(Phrase::Ordinal(_), _)]
+        if text.piece(called.range()).ends_with(')'));
     // are 0, 1, 2 and 2, 3, 5 C^1?
     let smooth = parts.iter().any(|part| {
         matches!(part, Part::Piece(span)
@@ -48,7 +56,7 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
     let member = |part: &&Part| is_member(text, part);
     let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
     let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
-    parts.iter().any(named) || polite || labelled || valued || qualified || smooth || given
+    parts.iter().any(named) || polite || labelled || valued || qualified || smooth || given || curve || repeated
 }
 
 /// Whether a value is asked for of something that was said before, or members are given of which something is asked behind.

@@ -8,6 +8,9 @@ use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 /// The parts of a request with the phrases in place of which others are meant.
 pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
+    ends(&mut parts);
+    of_derivative(&mut parts);
+    basis_function(text, &mut parts);
     properties(&mut parts);
     steps(&mut parts);
     curves(text, &mut parts);
@@ -178,14 +181,14 @@ fn true_degrees(text: &str, parts: &mut Vec<Part>) {
         Part::Phrase(Phrase::Is, is),
         degree @ Part::Phrase(Phrase::Degree(_), span),
         list @ Part::Piece(_),
-        Part::Phrase(Phrase::Degree(_), own),
+        quality @ Part::Phrase(Phrase::Degree(_), _),
     ] = parts.as_slice()
         && several(text, Some(list))
     {
-        let (is, degree, span, list, own) = (*is, *degree, *span, *list, *own);
+        let (is, degree, span, list, quality) = (*is, *degree, *span, *list, *quality);
         let curve = Part::Phrase(Phrase::Function("bezier"), span);
         let [outer, inner] = expanded(is);
-        *parts = vec![outer, inner, degree, curve, list, Part::Phrase(Phrase::Equals, is), Part::Piece(own)];
+        *parts = vec![outer, inner, degree, curve, list, Part::Phrase(Phrase::Equals, is), quality];
         return;
     }
     if let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::TrueDegree, _))) {
@@ -327,5 +330,52 @@ fn steps(parts: &mut [Part]) {
         {
             parts.swap(at, at + 1);
         }
+    }
+}
+
+/// What a function gives is said behind it again: the quadratic with ordinates 0, 4, 0 restricted to [1/4, 1/2], new ordinates?
+fn ends(parts: &mut Vec<Part>) {
+    let function = parts.iter().any(|part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Command("part" | "elevate" | "reduce" | "insert_knots") | Phrase::Function("part" | "elevate" | "reduce"),
+                _
+            )
+        )
+    });
+    let label = matches!(
+        parts.last(),
+        Some(Part::Phrase(
+            Phrase::Label(Label::Values | Label::Points) | Phrase::Function("control_points" | "bezier_points"),
+            _
+        ))
+    );
+    if function && label && matches!(parts.iter().rev().nth(1), Some(Part::Piece(_))) {
+        parts.pop();
+    }
+}
+
+/// The derivative control points of a spline are the control points of its derivative.
+fn of_derivative(parts: &mut [Part]) {
+    if let [
+        derivative @ Part::Phrase(Phrase::Function("derivative"), _),
+        points @ Part::Phrase(Phrase::Function("control_points"), _),
+        Part::Phrase(..),
+        ..,
+    ] = parts
+    {
+        std::mem::swap(derivative, points);
+    }
+}
+
+/// N(t) over knots is the basis function.
+fn basis_function(text: &str, parts: &mut [Part]) {
+    let knots = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Label(Label::Knots), _)));
+    let function = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Function(_), _)));
+    if let (Some(Part::Piece(span)), true, false) = (parts.first().copied(), knots, function)
+        && matches!(text.piece(span.range()), "N(t)" | "N(x)" | "N(u)" | "B(t)" | "B(x)" | "N" | "B")
+    {
+        parts[0] = Part::Phrase(Phrase::Function("bspline_basis"), span);
     }
 }
