@@ -141,6 +141,7 @@ impl Session {
         let read = |piece: &Span| self.piece(file, at(*piece));
         let pieces: Vec<Expr> = found.pieces.iter().filter_map(read).collect();
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
+        let alone = found.pieces.len() == 1;
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
@@ -150,7 +151,7 @@ impl Session {
                     None => (false, query.to_owned()),
                 }),
                 Advice::Function(_) if read_without => {}
-                Advice::Function(name) => proposed.extend(self.example(name, &items)),
+                Advice::Function(name) => proposed.extend(self.example(name, &items, alone)),
                 Advice::Say(advice) => said.push(advice),
             }
         }
@@ -160,14 +161,20 @@ impl Session {
         let own: Vec<(bool, String)> = functions
             .iter()
             .filter(|_| !read_without)
-            .filter_map(|name| self.example(name, &items))
+            .filter_map(|name| self.example(name, &items, alone))
             .collect();
         if proposed.is_empty() && own.is_empty() && said.is_empty() {
-            proposed.extend(found.likely.and_then(|name| self.example(name, &items)));
+            proposed.extend(found.likely.and_then(|name| self.example(name, &items, alone)));
         }
         // What words of requests name is surer.
         let place = usize::from(!proposed.is_empty());
         proposed.splice(place..place, own);
+        // An example of something else than what the words name is no help.
+        if !found.functions.is_empty() {
+            let named: Vec<&str> = found.functions.iter().filter_map(|name| builtin(name)).map(|f| f.example).collect();
+            let some = proposed.iter().any(|(own, query)| *own || named.contains(&query.as_str()));
+            proposed.retain(|(own, query)| *own || !some || named.contains(&query.as_str()));
+        }
         let mut seen = BTreeSet::new();
         proposed.retain(|query| seen.insert(query.clone()));
         for (own, query) in proposed.into_iter().take(MOST) {
@@ -230,6 +237,10 @@ impl Session {
             }
             return None;
         }
+        // What changes the question cannot be left out: the true degree, the support of a spline, not, only.
+        if found.unknown.iter().any(|span| matters(text, *span)) {
+            return None;
+        }
         // One word, or words side by side.
         let between = |pair: &[Span]| text.piece(pair[0].end..pair[1].start).trim().is_empty();
         if !found.unknown.windows(2).all(between) {
@@ -270,9 +281,10 @@ impl Session {
     }
 
     /// A call of a function with what is there, or its own example.
-    fn example(&self, name: &str, items: &[Expr]) -> Option<(bool, String)> {
+    fn example(&self, name: &str, items: &[Expr], alone: bool) -> Option<(bool, String)> {
         let function = builtin(name)?;
-        let fitting = items.iter().find(|item| takes(function, item)).cloned();
+        // What leaves something out is another question.
+        let fitting = items.iter().find(|item| takes(function, item)).filter(|_| alone).cloned();
         let own = fitting.and_then(|item| self.tried(call(function.name, vec![item], Span::default())));
         Some(match own {
             Some(query) => (true, query),
@@ -419,6 +431,40 @@ impl Session {
         let greek = letters::sign(word).is_some();
         let long = word.chars().count() >= SHORTEST_WORD || leads && word.chars().count() > 2;
         (long && !greek).then_some((length, Meant::Unknown))
+    }
+}
+
+/// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
+fn matters(text: &str, span: Span) -> bool {
+    const DENYING: &[&str] = &[
+        "not", "no", "only", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean", "average",
+        "absolute", "negative", "positive", "nicht", "kein", "keine", "nur", "ohne", "außer", "letzte", "erste", "mittlere",
+        "pas", "sans", "seulement", "sauf", "dernier", "premier", "sin", "solo", "sólo", "excepto", "no", "senza",
+    ];
+    if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
+        return true;
+    }
+    let mut rest = text.piece(span.end..).trim_start();
+    // the, a
+    while let Some((Phrase::Filler, length)) = phrase(rest, &|name| function_called(name)) {
+        if length >= rest.len() {
+            break;
+        }
+        rest = rest.piece(length..).trim_start();
+    }
+    match phrase(rest, &|name| function_called(name)) {
+        Some((said, _)) => matches!(
+            said,
+            Phrase::Of
+                | Phrase::Function(_)
+                | Phrase::Command(_)
+                | Phrase::Part(..)
+                | Phrase::Degree(_)
+                | Phrase::Rational
+                | Phrase::Uniform
+                | Phrase::Curve
+        ),
+        None => false,
     }
 }
 

@@ -309,7 +309,15 @@ impl Reader<'_> {
             && let Some(name) = self.topic
         {
             self.used_topic.set(true);
-            asked.items.push(Expr { span: innermost.phrase, ..name.clone() });
+            let topic = Expr { span: innermost.phrase, ..name.clone() };
+            // What words describe is inside of the functions as any other object.
+            match &name.kind {
+                Kind::Name(_) => asked.items.push(topic),
+                _ => {
+                    asked.formula = Some(topic);
+                    return;
+                }
+            }
         }
         if innermost.wants_curve(&asked.items)
             && let Some(bezier) = builtin("bezier")

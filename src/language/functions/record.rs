@@ -228,7 +228,7 @@ impl Builtin {
     fn with_curve_of_points(&self, machine: &mut Machine, args: Arguments) -> Result<Arguments> {
         let of_curves = |parameter: &Parameter| matches!(parameter.kind, Takes::Curve | Takes::Polar | Takes::Geometry);
         let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
-        if !places.next().is_some_and(of_curves) || places.next().is_some_and(of_curves) {
+        if self.topic == "Figures" || !places.next().is_some_and(of_curves) || places.next().is_some_and(of_curves) {
             return Ok(args);
         }
         let number = |value: &Value| value.as_rational().is_some() && !matches!(value, Value::List(_));

@@ -131,7 +131,7 @@ pub(crate) fn request(
         matches!(
             part,
             Part::Phrase(
-                Phrase::Function("maximum" | "minimum" | "max" | "min")
+                Phrase::Function("maximum" | "minimum" | "max" | "min" | "support")
                     | Phrase::Command("maximum" | "minimum" | "max" | "min"),
                 _
             )
@@ -439,6 +439,10 @@ impl Reader<'_> {
             };
             labels.push(Said { label, what: What::Degree(number) });
             self.at += 1;
+            // one step of Chaikin's scheme
+            if label == Label::Times {
+                self.take(Phrase::Label(Label::Times));
+            }
         }
         // a rational quadratic with points 0, 1, 3
         if !labels.is_empty() && matches!(self.phrase(), Some(Phrase::Label(_))) && self.at_label() {
@@ -632,8 +636,12 @@ impl Reader<'_> {
                     }
                     _ => label,
                 };
-                // at 1/2 and 3/4
-                let all = std::iter::once(span).chain(self.others());
+                // at 1/2 and 3/4; with control points 1, 3, 2 and t = 1/3
+                let equation = |span: Span| begins_equation(self.text.piece(span.range()));
+                let other = matches!(self.parts.get(self.at..self.at + 2),
+                    Some([Part::Phrase(Phrase::And, _), Part::Piece(next)]) if equation(*next) && !equation(span));
+                let others = if other { Vec::new() } else { self.others() };
+                let all = std::iter::once(span).chain(others);
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
             // to a cubic

@@ -527,6 +527,15 @@ impl Draft {
             }
             self.placed.insert(0, inside);
         }
+        // The Bézier form of a spline is that of its pieces.
+        if matches!(self.builtin.name, "in_bernstein" | "bezier_points")
+            && let [spline] = self.placed.as_slice()
+            && matches!(&spline.kind, Kind::Apply(callee, _)
+                if matches!(&callee.kind, Kind::Name(name) if name == "bspline"))
+            && self.named.is_empty()
+        {
+            return Some(crate::formula::call("pieces", vec![spline.clone()], span));
+        }
         // The control points of the parts of a curve are those of each.
         if self.builtin.name == "control_points"
             && let [parts] = self.placed.as_slice()

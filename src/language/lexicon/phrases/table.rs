@@ -57,7 +57,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("roots"),
-        "root~ | a zero | have zero | touch zero | touches zero | have zeros | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
+        "root~ | a zero | have zero | touch zero | touches zero | cross zero | crosses zero | cross the axis | touch the axis | have zeros | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
          radici | ceros",
     ),
     (
@@ -351,6 +351,15 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
     ),
     (
+        Function("cubic_spline"),
+        "natural cubic spline | natural spline | natürlicher kubischer spline | natürlicher spline | spline cubique naturelle | \
+         spline cúbico natural",
+    ),
+    (
+        Command("over"),
+        "reparametrise | reparametrize | reparameterise | reparameterize | umparametrisieren | reparamétrer",
+    ),
+    (
         Command("continuation"),
         "continue | continue it | continue smoothly | next | next curve | next segment | next piece | following segment | setze fort | \
          fortsetzen | nächstes segment | prolonge par | continúa | siguiente segmento | 延拓",
@@ -451,7 +460,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("support"),
-        "träger | soporte | supporto | 支集 | 支撑 | support interval | trägerintervall",
+        "nonzero | non zero | not zero | ungleich null | träger | soporte | supporto | 支集 | 支撑 | support interval | trägerintervall",
     ),
     (
         Function("bernstein_approximation"),
@@ -486,7 +495,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
@@ -524,7 +533,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Knots),
-        "knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
+        "uniform knots | knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
          vecteur nodal | 节点",
     ),
     (Phrase::Label(Nodes), "nodes | node | stützstellen | abscissae | abscissas | abscisses"),
@@ -543,7 +552,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
+        "what | intermediate points | all intermediate points of | zwischenpunkte | points intermédiaires | new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
          all | all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \

@@ -62,7 +62,11 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
 /// Whether a value is asked for of something that was said before, or members are given of which something is asked behind.
 pub(super) fn is_about_something(text: &str, parts: &[Part]) -> bool {
     let value = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
-    parts.iter().any(value) || parts.iter().filter(|part| is_member(text, part)).count() > 1
+    let points = parts.windows(2).any(|pair| {
+        matches!(pair[0], Part::Phrase(Phrase::Label(Label::Points) | Phrase::Function("in_bernstein"), _))
+            && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
+    });
+    points || parts.iter().any(value) || parts.iter().filter(|part| is_member(text, part)).count() > 1
 }
 
 /// b1 = 3

@@ -15,7 +15,7 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     steps(&mut parts);
     curves(text, &mut parts);
     behind(text, &mut parts);
-    weights(&mut parts);
+    weights(text, &mut parts);
     continuations(text, &mut parts);
     true_degrees(text, &mut parts);
     given_in_bernstein(text, &mut parts);
@@ -164,6 +164,12 @@ fn curves(text: &str, parts: &mut Vec<Part>) {
             );
         if !others && (points || with || several(text, parts.get(at + 1))) {
             parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
+            // on the curve 0, 1, 3
+            if at > 0
+                && let Part::Phrase(Phrase::Label(Label::Over | Label::In | Label::With), place) = parts[at - 1]
+            {
+                parts[at - 1] = Part::Phrase(Phrase::Of, place);
+            }
             at += 1;
         } else {
             parts.remove(at);
@@ -221,8 +227,27 @@ fn properties(parts: &mut Vec<Part>) {
     }
 }
 
-/// A kind of curve behind its points: evaluate 1, 3, 2 at 1/2 (bezier).
+/// A kind of curve behind its points: evaluate 1, 3, 2 at 1/2 (bezier); a part that is cut off.
 fn behind(text: &str, parts: &mut Vec<Part>) {
+    let part = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Part("subdivide", _), _)));
+    let cut = parts.iter().rposition(|part| matches!(part, Part::Phrase(Phrase::Command("subdivide"), _)));
+    if let (Some(part), Some(cut)) = (part, cut)
+        && part < cut
+    {
+        parts.remove(cut);
+    }
+    let kind = |at: usize| matches!(parts.get(at), Some(Part::Phrase(Phrase::Function("bezier"), _)));
+    let only = (0..parts.len()).filter(|at| kind(*at)).count() == 1;
+    let place = (1..parts.len().saturating_sub(1)).find(|at| {
+        kind(*at)
+            && several(text, parts.get(at - 1))
+            && matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::Over | Label::At), _)))
+            && !matches!(at.checked_sub(2).and_then(|at| parts.get(at)), Some(Part::Phrase(Phrase::Label(_), _)))
+    });
+    if let (Some(at), true) = (place, only) {
+        parts.swap(at - 1, at);
+        return;
+    }
     let last = parts.len().saturating_sub(1);
     let Some(Part::Phrase(Phrase::Function("bezier"), span)) = parts.get(last).copied() else { return };
     let others = parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function("bezier"), _))).count();
@@ -237,11 +262,20 @@ fn behind(text: &str, parts: &mut Vec<Part>) {
 }
 
 /// Weights that are brought to standard form: normalise the weights 1, 2, 4; the standard form of the weights 1, 2, 4.
-fn weights(parts: &mut Vec<Part>) {
+fn weights(text: &str, parts: &mut Vec<Part>) {
     let of_weights = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Label(Label::Weights), _)));
     if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))) {
         let curve = |part: &Part| matches!(part, Part::Phrase(Phrase::Is | Phrase::Function("bezier"), _));
         parts.retain(|part| !curve(part));
+        return;
+    }
+    let rational = of_weights || parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Rational, _)));
+    if let (Some(Part::Phrase(Phrase::Function("expand"), span)), true) = (parts.first().copied(), rational)
+        && text.piece(span.range()).to_lowercase().starts_with("standard")
+        && parts.iter().any(|part| several(text, Some(part)))
+        && !matches!(parts.get(1..3), Some([Part::Phrase(Phrase::Of, _), Part::Phrase(Phrase::Label(Label::Weights), _)]))
+    {
+        parts[0] = Part::Phrase(Phrase::Function("standard_form"), span);
         return;
     }
     let points = |part: &Part| {
