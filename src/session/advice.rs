@@ -19,6 +19,16 @@ use crate::language::write;
 /// How many queries are proposed.
 const MOST: usize = 3;
 
+/// Examples for words that any question may have: value, sum, such.
+const GENERAL: &[&str] = &[
+    "t^3 - 2t at t = 2",
+    "[1, 2; 3, 4]",
+    "solve(a + 3 = 0, a)",
+    "sum(k=1..100, k)",
+    "bezier([1, 0, 0, 1])(t)",
+    "length([1, 2, 3])",
+];
+
 /// Shorter unknown words may be products of letters.
 const SHORTEST_WORD: usize = 4;
 
@@ -141,7 +151,7 @@ impl Session {
         let read = |piece: &Span| self.piece(file, at(*piece));
         let pieces: Vec<Expr> = found.pieces.iter().filter_map(read).collect();
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
-        let alone = found.pieces.len() == 1;
+        let alone = found.pieces.len() == 1 && !found.unknown.iter().any(|span| matters(text, *span));
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
@@ -169,11 +179,9 @@ impl Session {
         // What words of requests name is surer.
         let place = usize::from(!proposed.is_empty());
         proposed.splice(place..place, own);
-        // An example of something else than what the words name is no help.
-        if !found.functions.is_empty() {
-            let named: Vec<&str> = found.functions.iter().filter_map(|name| builtin(name)).map(|f| f.example).collect();
-            let some = proposed.iter().any(|(own, query)| *own || named.contains(&query.as_str()));
-            proposed.retain(|(own, query)| *own || !some || named.contains(&query.as_str()));
+        // What any question has to do with is no help where words name more.
+        if proposed.iter().any(|(own, query)| *own || !GENERAL.contains(&query.as_str())) {
+            proposed.retain(|(own, query)| *own || !GENERAL.contains(&query.as_str()));
         }
         let mut seen = BTreeSet::new();
         proposed.retain(|query| seen.insert(query.clone()));
@@ -437,22 +445,14 @@ impl Session {
 /// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
 fn matters(text: &str, span: Span) -> bool {
     const DENYING: &[&str] = &[
-        "not", "no", "only", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean", "average",
-        "absolute", "negative", "positive", "nicht", "kein", "keine", "nur", "ohne", "außer", "letzte", "erste", "mittlere",
-        "pas", "sans", "seulement", "sauf", "dernier", "premier", "sin", "solo", "sólo", "excepto", "no", "senza",
+        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean", "average",
+        "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte", "erste", "mittlere",
+        "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
     ];
     if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
         return true;
     }
-    let mut rest = text.piece(span.end..).trim_start();
-    // the, a
-    while let Some((Phrase::Filler, length)) = phrase(rest, &|name| function_called(name)) {
-        if length >= rest.len() {
-            break;
-        }
-        rest = rest.piece(length..).trim_start();
-    }
-    match phrase(rest, &|name| function_called(name)) {
+    match phrase(text.piece(span.end..).trim_start(), &|name| function_called(name)) {
         Some((said, _)) => matches!(
             said,
             Phrase::Of

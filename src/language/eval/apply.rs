@@ -480,6 +480,11 @@ impl Machine {
                 match (named(item), &item.kind) {
                     (Some((name, value)), _) => {
                         let given = self.eval_or_word(value, function, Slot::Name(&name))?;
+                        if let Kind::Chain(left, _) = &item.kind
+                            && !left.span.is_empty()
+                        {
+                            all.name_stands_at(&name, left.span);
+                        }
                         all.push_named(name, given, value.span);
                     }
                     (None, Kind::Chain(left, links))

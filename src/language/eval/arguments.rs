@@ -47,6 +47,8 @@ pub struct Arguments {
     named: Vec<(String, Value, Span)>,
     /// Values of names with indices: c_0=1.
     indexed: Vec<(Symbol, Value, Span)>,
+    /// Where the names stand, if they are written down.
+    name_spans: Vec<(String, Span)>,
 }
 
 impl Arguments {
@@ -56,6 +58,16 @@ impl Arguments {
 
     pub(crate) fn push_named(&mut self, name: String, value: Value, span: Span) {
         self.named.push((name, value, span));
+    }
+
+    /// Remembers where a name stands.
+    pub(crate) fn name_stands_at(&mut self, name: &str, span: Span) {
+        self.name_spans.push((name.to_owned(), span));
+    }
+
+    /// Where a name stands.
+    pub(crate) fn span_of_name(&self, name: &str) -> Option<Span> {
+        self.name_spans.iter().find(|(own, _)| own == name).map(|(_, span)| *span)
     }
 
     pub(crate) fn push_indexed(&mut self, name: Symbol, value: Value, span: Span) {

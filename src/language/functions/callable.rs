@@ -266,7 +266,7 @@ pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
 }
 
 /// What to write for an argument that a function does not take: its derivation may.
-fn elsewhere(builtin: &Builtin, argument: &str) -> String {
+pub(super) fn elsewhere(builtin: &Builtin, parameters: &[Parameter], argument: &str) -> String {
     let takes = |subject: &Builtin| {
         subject.name == builtin.name
             && subject.parameter_lists().flatten().any(|parameter| parameter.name == argument)
@@ -279,10 +279,10 @@ fn elsewhere(builtin: &Builtin, argument: &str) -> String {
     match BUILTINS.iter().find(|parent| parent.subjects.iter().any(takes)) {
         Some(parent) => format!("write {}({}, ..., {argument}=...) for its steps", parent.name, builtin.name),
         None => {
-            let names = builtin.parameters.iter().filter(|parameter| parameter.has_name());
+            let names = parameters.iter().filter(|parameter| parameter.has_name());
             let names: Vec<&str> = names.map(|parameter| parameter.name).collect();
             match names.is_empty() {
-                true => format!("leave it out: the form is {}", builtin.signature()),
+                true => format!("leave it out: the form is {}", builtin.form_with(parameters)),
                 false => format!("the names of its arguments are {}", names.join(", ")),
             }
         }
@@ -342,13 +342,6 @@ impl Callable for Builtin {
     }
 
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
-        Builtin::run(self, machine, arguments).map_err(|error| {
-            let unknown =
-                error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
-            match unknown.filter(|_| error.hints.is_empty()).map(|argument| elsewhere(self, argument)) {
-                Some(advice) => error.hint(advice),
-                None => error,
-            }
-        })
+        Builtin::run(self, machine, arguments)
     }
 }

@@ -469,6 +469,13 @@ pub(super) const TABLE: &[Builtin] = &[
             let value = args.value(0)?;
             let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(args.span(0)))?;
             let (corners, _) = args.control_points(1)?;
+            if point.len() == 1 && corners.len() > 2 {
+                let message = format!("{} corners on a line, where two are enough", corners.len());
+                return Err(Diagnostic::error(Code::Degenerate, message)
+                    .at(args.span(1))
+                    .reason("a symbol is a number here")
+                    .hint("write points by their coordinates, such as [x_0, y_0]"));
+            }
             affine::barycentric(&corners, &point).map(scalar_list).map_err(curve_error).at(args.span(1))
         },
         ..NEW

@@ -9,9 +9,14 @@ use crate::language::ops::polar::levelled;
 use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::value::{PolarKind, Value};
+use crate::language::value::{Geometry, PolarKind, Value, free_parameter};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// The chapter of functions of which the first argument is a polynomial whose values are looked at.
+const ROOTS: &str = "Roots of polynomials";
 
 /// A function of the program.
 pub struct Builtin {
@@ -137,6 +142,11 @@ impl Builtin {
         lines
     }
 
+    /// How it is called with these parameters.
+    pub(super) fn form_with(&self, parameters: &[Parameter]) -> String {
+        self.form(parameters)
+    }
+
     fn form(&self, parameters: &[Parameter]) -> String {
         let shown = parameters.iter().filter(|parameter| parameter.need != Need::Free);
         let shown: Vec<&str> =
@@ -194,7 +204,8 @@ impl Builtin {
     pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
         let args = self.with_points_together(self.with_first_in_place(args)).with_equations_together();
         let args = self.with_values_apart(args);
-        let args = self.with_curve_of_points(machine, args)?;
+        let args = self.with_line(self.with_curve_of_points(machine, args)?);
+        let args = self.with_polynomial_of_curve(machine, args);
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
@@ -222,6 +233,50 @@ impl Builtin {
             }
             None => (self.call)(machine, &self.checked(self.parameters, args)?),
         }
+    }
+
+    /// roots(bezier([1, -1, 1])): a Bézier polynomial where a polynomial is expected, and its interval where one is.
+    fn with_polynomial_of_curve(&self, machine: &mut Machine, mut args: Arguments) -> Arguments {
+        let of_polynomial = self
+            .parameters
+            .first()
+            .is_some_and(|first| matches!(first.kind, Takes::Polynomial | Takes::Scalar) && first.name == "F");
+        let Some((Value::Geometry(geometry), span)) = args.given(0) else { return args };
+        let Geometry::Bezier(curve, form) = &**geometry else { return args };
+        if !of_polynomial || self.on_curve.is_some() || !form.scalar || form.rational || self.topic != ROOTS {
+            return args;
+        }
+        let variable = free_parameter(curve.points().iter().flat_map(|point| point.iter()));
+        let value = curve.value(&Fraction::from(MultiPoly::symbol(variable)))[0].clone();
+        let (a, b) = curve.interval().ends();
+        let ends = [a.clone(), b.clone()].map(Value::Scalar);
+        let whole = args.len() == 1 && !args.has_name("a") && !args.has_name("b");
+        args = args.with_first(Value::Scalar(value));
+        let takes = |name: &str| self.parameters.iter().any(|own| own.name == name && own.has_place());
+        if whole && takes("a") && takes("b") {
+            let written = ends.iter().map(|end| crate::language::write::text(&end.to_expr())).collect::<Vec<_>>();
+            let note = format!("on [{}], the interval of the curve", written.join(", "));
+            machine.note(Diagnostic::note(Code::StandardMeaning, note).at(span));
+            for (place, end) in (1..).zip(ends) {
+                args.put(place, end, span);
+            }
+        }
+        args
+    }
+
+    /// intersections(c, y = 1/2): an equation of a line where another curve is expected.
+    fn with_line(&self, mut args: Arguments) -> Arguments {
+        if self.name != "intersections" || args.len() != 1 {
+            return args;
+        }
+        for name in ["x", "y", "z"] {
+            if let Some((_, Value::Scalar(value), span)) = args.take_named(name) {
+                let letter = Fraction::from(MultiPoly::symbol(Symbol::new(name)));
+                args.put(1, Value::Scalar(letter.minus(&value)), span);
+                break;
+            }
+        }
+        args
     }
 
     /// elevate([0, 2, 3]), elevate(0, 2, 3): numbers or points where a curve is expected are its control points.
@@ -329,7 +384,8 @@ impl Builtin {
             let place = by_place.iter().position(|p| placeable && p.has_name() && p.name == name);
             if placeable && place.is_none() && !by_name().any(|p| p.name == name) {
                 let places = by_place.iter().copied().filter(|p| p.has_name());
-                return Err(self.unknown(parameters, &name, places.chain(by_name())).at(span));
+                let place = args.span_of_name(&name).unwrap_or(span);
+                return Err(self.unknown(parameters, &name, places.chain(by_name())).at(place));
             }
             let taken = match place {
                 Some(place) => args.given(place),
@@ -359,7 +415,7 @@ impl Builtin {
             .reason(format!("the form is {}", self.form(parameters)));
         match nearest(name, known.map(|parameter| parameter.name)) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
-            None => error,
+            None => error.hint(super::callable::elsewhere(self, parameters, name)),
         }
     }
 

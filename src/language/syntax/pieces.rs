@@ -198,7 +198,8 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
         }
     }
     // from -1 to 2
-    let negative = label
+    // of -1, 2, -2
+    let negative = (label || written.chars().count() > 1)
         && rest.starts_with(' ')
         && next.strip_prefix('-').is_some_and(|rest| rest.starts_with(char::is_alphanumeric));
     if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
@@ -212,7 +213,10 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     }
     // One letter is a name, unless words follow: a cubic.
     if written.chars().count() == 1 && written.is_ascii() {
-        return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
+        // a B-spline
+        let letter = |c: &char| c.is_alphabetic() || *c == '-';
+        let word: String = next.chars().take_while(letter).collect();
+        return rest.starts_with(' ') && word.starts_with(char::is_alphabetic) && !word.ends_with('-') && word.chars().count() > 1;
     }
     true
 }

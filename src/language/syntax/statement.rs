@@ -74,7 +74,10 @@ fn ends_sentence(text: &str, token: &Token) -> bool {
         && !words::is_question(next)
         && !factor;
     // b = 4. b(1/2)? is no product
-    let called = token.kind == TokenKind::Number && next.starts_with(char::is_alphabetic) && asking::asks(next).is_none();
+    let name = next.trim_start_matches(char::is_alphabetic);
+    let called = token.kind == TokenKind::Number
+        && name.len() < next.len()
+        && name.trim_start_matches(['\'', '′']).starts_with('(');
     next.is_empty()
         || next.starts_with(['\n', '#'])
         || (sentence || called) && (rest != next || written == "。")

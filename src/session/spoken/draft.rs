@@ -318,6 +318,8 @@ impl Draft {
             Takes::Any | Takes::List if items.len() > 1 && self.is_of_one() => {
                 self.placed = vec![list(items)]
             }
+            // the roots of -1, 2, -2: a polynomial and an interval, or coefficients, of which basis?
+            Takes::Polynomial | Takes::Scalar if items.len() > 1 && self.has_ends() => return false,
             _ => self.placed = items,
         }
         true
@@ -491,7 +493,8 @@ impl Draft {
 
     /// Whether it cannot be without an interval: the part of a curve.
     pub(super) fn needs_ends(&self) -> bool {
-        self.parameter(&["r"]).is_some_and(|end| end.need == Need::Required)
+        let end = if self.builtin.name == "over" { "a" } else { "r" };
+        self.parameter(&[end]).is_some_and(|end| end.need == Need::Required)
     }
 
     /// Whether it takes an interval by its ends.

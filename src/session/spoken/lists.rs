@@ -112,8 +112,6 @@ struct Equation {
     index: Option<i64>,
     value: Expr,
     whole: Expr,
-    /// How many digits its only index has.
-    written: usize,
 }
 
 impl Equation {
@@ -123,20 +121,18 @@ impl Equation {
         let (letter, index) = match &left.kind {
             Kind::Name(letter) => (letter.clone(), None),
             Kind::Subscript(base, indices) => match (&base.kind, indices.as_slice()) {
-                (Kind::Name(letter), [index]) => (letter.clone(), Some(index.as_int()?)),
+                (Kind::Name(letter), [index]) => (letter.clone(), index.as_int()),
                 (Kind::Name(letter), [_, _, _]) => (letter.clone(), None),
                 _ => return None,
             },
             _ => return None,
         };
         let value = as_list(link.expr.clone());
-        let written = left.span.len().saturating_sub(letter.len());
         (link.rel == crate::formula::Rel::Eq).then(|| Equation {
             letter,
             index,
             value,
             whole: item.clone(),
-            written,
         })
     }
 
@@ -146,12 +142,15 @@ impl Equation {
         let Kind::Subscript(_, indices) = &left.kind else { return None };
         match indices.as_slice() {
             [i, j, k] => Some([i.as_int()?, j.as_int()?, k.as_int()?]),
+            // b_020, where the zero counts
             [number] => {
-                const SMALLEST: i64 = 100;
-                let number = number.as_int().filter(|number| *number < 1000)?;
-                // b_020 is 20 with a zero before it.
-                let three = number >= SMALLEST || self.written >= 3;
-                three.then_some([number / 100, number / 10 % 10, number % 10])
+                let digits = write::text(number);
+                let digits: Vec<i64> =
+                    digits.chars().map(|c| c.to_digit(10).map(i64::from)).collect::<Option<_>>()?;
+                match digits.as_slice() {
+                    [i, j, k] => Some([*i, *j, *k]),
+                    _ => None,
+                }
             }
             _ => None,
         }
