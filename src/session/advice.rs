@@ -24,7 +24,6 @@ const GENERAL: &[&str] = &[
     "t^3 - 2t at t = 2",
     "[1, 2; 3, 4]",
     "solve(a + 3 = 0, a)",
-    "sum(k=1..100, k)",
     "bezier([1, 0, 0, 1])(t)",
     "length([1, 2, 3])",
 ];
@@ -151,7 +150,9 @@ impl Session {
         let read = |piece: &Span| self.piece(file, at(*piece));
         let pieces: Vec<Expr> = found.pieces.iter().filter_map(read).collect();
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
-        let alone = found.pieces.len() == 1 && !found.unknown.iter().any(|span| matters(text, *span));
+        // over Q
+        let short = |piece: &&Span| piece.len() > 1 || text.piece(piece.range()).contains(char::is_numeric);
+        let alone = found.pieces.iter().filter(short).count() == 1 && !found.unknown.iter().any(|span| matters(text, *span));
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
@@ -405,7 +406,8 @@ impl Session {
                 | Phrase::Command(function)
                 | Phrase::Part(function, _)
                 | Phrase::Between(function) => Meant::Function(function),
-                Phrase::Label(Label::Points | Label::Weights) | Phrase::Rational | Phrase::Degree(2..) => {
+                Phrase::Label(Label::Weights) => Meant::Label,
+                Phrase::Label(Label::Points) | Phrase::Rational | Phrase::Degree(2..) => {
                     Meant::Likely("bezier")
                 }
                 Phrase::Label(Label::Knots) => Meant::Likely("bspline"),

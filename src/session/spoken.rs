@@ -119,6 +119,7 @@ impl Reader<'_> {
             return Err(self.fail(problem));
         }
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
+        self.only_basis_function(&mut asked);
         asked.settle();
         apposition::has_rows(&asked.drafts, &asked.items).map_err(|problem| self.fail(problem))?;
         if let Some(whole) = asked.whole() {

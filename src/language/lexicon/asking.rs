@@ -157,6 +157,9 @@ const TASKS: &[&str] = &[
     "check that",
     "check whether",
     "is it true that",
+    "zeige dass",
+    "beweise dass",
+    "prüfe ob",
     "zeige, dass",
     "zeigen sie, dass",
     "beweise, dass",
@@ -478,7 +481,7 @@ pub(crate) fn and_its(text: &str) -> Option<(usize, usize)> {
 const WANTED: &[&str] = &[
     "find", "determine", "compute", "calculate", "choose", "what is", "which", "for which", "for what", "which value of",
     "for which value of", "for what value of", "what value of", "for which values of", "the value of", "the values of",
-    "the coefficient", "the control point", "all", "value of", "bestimme", "finde", "berechne", "wähle",
+    "what must", "what should", "what does", "the coefficient", "the control point", "all", "value of", "bestimme", "finde", "berechne", "wähle",
     "für welches", "für welche", "für welchen wert von", "welches", "welche", "trouve", "trouver", "trouvez",
     "déterminer", "détermine", "pour quel", "pour quelle valeur de", "pour quelle", "quel", "quelle", "encuentra",
     "halla", "determina", "para qué", "para qué valor de", "qué", "求", "trova",
@@ -486,7 +489,7 @@ const WANTED: &[&str] = &[
 
 /// Words between such names and what is to hold.
 const MAKING: &[&str] = &[
-    "make", "makes", "is", "are", "do", "does", "has", "will", "have we", "gives", "give", "machen", "macht", "ist", "sind",
+    "be so that", "be such that", "need to be so that", "have to be so that", "make", "makes", "is", "are", "do", "does", "has", "will", "have we", "gives", "give", "machen", "macht", "ist", "sind",
     "hat", "gilt", "est", "rend", "rendent", "faut-il pour que", "es", "hace que", "hacen que", "so that", "such that",
     "so dass", "sodass", "tel que", "telle que", "tels que", "tal que", "tales que", "damit", "para que", "pour que",
     "使", "使得",

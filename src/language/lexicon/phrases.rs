@@ -55,6 +55,8 @@ pub(crate) enum Phrase {
     Multiplicity(i64),
     /// The knots are equally spaced.
     Uniform,
+    /// A way to do it follows: using.
+    Using,
     /// Something has a property: has derivative 0.
     Has,
     /// So many of them, from the first on: first three.

@@ -92,6 +92,23 @@ pub(super) fn parts(
             before = ' ';
             continue;
         }
+        // at t = 1/2: (0, 0), (2, 4)
+        let piece = text.piece(start..at).trim_start();
+        if c == ':'
+            && depth == 0
+            && !dollar
+            && piece.contains('=')
+            && begins_equation(piece)
+            && text.piece(at + 1..).trim_start().starts_with(|next: char| next == '(' || next.is_ascii_digit())
+            && text.piece(at + 1..).starts_with(' ')
+        {
+            push(&mut parts, start, at);
+            at += 1;
+            start = at;
+            listed = false;
+            before = ' ';
+            continue;
+        }
         // 0, 4, 2, t = 1/2
         let ends = solid.is_alphanumeric() || matches!(solid, ',' | ')' | ']' | '}');
         let after_list = before == ',' || listed && before.is_whitespace() && ends;

@@ -555,6 +555,14 @@ impl Draft {
             );
             return Some(crate::formula::call("map", vec![each, parts.clone()], span));
         }
+        // The largest value of B_i^n is meant on [0, 1].
+        if matches!(self.builtin.name, "maximum" | "minimum")
+            && let [Expr { kind: Kind::Pow(base, _), .. }] = self.placed.as_slice()
+            && matches!(&base.kind, Kind::Subscript(letter, _) if matches!(&letter.kind, Kind::Name(name) if name == "B"))
+            && self.named.is_empty()
+        {
+            self.named.extend([("a", Expr::int(0)), ("b", Expr::int(1))]);
+        }
         // The largest value of a Bézier polynomial is the one over its interval.
         if matches!(self.builtin.name, "maximum" | "minimum")
             && self.placed.len() == 1

@@ -63,6 +63,32 @@ pub(super) fn uniform(asked: &mut Utterance) {
     }
 }
 
+impl super::Reader<'_> {
+    /// The B-spline with some knots is the one that has all of them: support of the B-spline with knots 0, 1, 3, 4.
+    pub(super) fn only_basis_function(&self, asked: &mut Utterance) {
+        let Some(draft) = asked.drafts.iter().find(|draft| draft.builtin.name == "bspline_basis") else { return };
+        let phrase = self.file.slice(draft.phrase).to_lowercase();
+        let several = phrase.ends_with('s') || asked.drafts.iter().any(|draft| draft.builtin.name == "length");
+        let told = [Label::OfDegree, Label::Points, Label::Values, Label::Uniform, Label::Number];
+        if several || told.into_iter().any(|label| asked.says(label)) || !asked.items.is_empty() {
+            return;
+        }
+        let phrase = draft.phrase;
+        let knots = asked
+            .said
+            .iter()
+            .find(|read| read.label == Label::Knots || read.label == Label::Over && read.items.len() > 2)
+            .map(items_of);
+        let degree = knots.and_then(|knots| i64::try_from(knots.len()).ok()).map(|count| count - 2);
+        if let Some(degree) = degree.filter(|degree| *degree >= 0) {
+            asked.said.push(Read {
+                label: Label::OfDegree,
+                items: vec![Expr { span: phrase, ..Expr::int(degree) }],
+            });
+        }
+    }
+}
+
 /// The ends of the interval of a spline, or of the knots of a basis function.
 pub(super) fn ends(asked: &Utterance) -> Option<[Expr; 2]> {
     if !asked.drafts.iter().any(is_spline) {

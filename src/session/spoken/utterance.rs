@@ -296,6 +296,15 @@ impl Utterance {
 
     /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.
     fn extremes(&mut self) {
+        let curve = self.drafts.iter().any(|draft| draft.builtin.name == "bezier");
+        for draft in self.drafts.iter_mut().filter(|_| curve) {
+            let meant = match draft.builtin.name {
+                "max" => builtin("maximum"),
+                "min" => builtin("minimum"),
+                _ => None,
+            };
+            draft.builtin = meant.unwrap_or(draft.builtin);
+        }
         let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
         if !matches!(of.name, "max" | "min" | "maximum" | "minimum") {
             return;

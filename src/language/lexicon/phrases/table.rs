@@ -127,7 +127,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Function("bezier"),
         "conic | conic section | kegelschnitt | conique | cónica | 二次曲线 | bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
          curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
-         courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
+         bezier function~ | bézier function~ | bézierfunktion~ | bezierfunktion~ | fonction de bézier | función de bézier | \
+         bézierpolynom~ | bezierpolynom~ | bernsteinpolynom mit koeffizienten | courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
          bezier polynomial | bézier polynomial | bezier polygon | bezier segment | bézier segment",
     ),
     (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
@@ -220,7 +221,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("bspline"),
         "nurbs | nurbs curve~ | rational b spline | spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
-         b样条曲线",
+         b样条曲线 | 样条 | 样条曲线",
     ),
     (
         Function("patch"),
@@ -253,7 +254,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
     (
         Function("subdivide_polygon"),
-        "four point scheme | 4 point scheme | four point | vierpunktschema | vier punkt schema | schéma à quatre points | \
+        "four point subdivision | four point scheme | 4 point scheme | four point | vierpunktschema | vier punkt schema | schéma à quatre points | \
          esquema de cuatro puntos | schema a quattro punti | 四点格式 | 四点法 | 四点细分",
     ),
     (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
@@ -447,6 +448,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "knot of multiplicity | knot with multiplicity | multiplicity | knoten der vielfachheit | vielfachheit | \
          nœud de multiplicité | multiplicité | nudo de multiplicidad | multiplicidad | 重数",
     ),
+    (Phrase::Using, "using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda"),
     (Phrase::Has, "has | have a | hat | haben | tiene | possède | besitzt"),
     (Phrase::First(2), "first two | ersten beiden | ersten zwei | deux premiers | primeros dos | dos primeros | 前两个"),
     (Phrase::First(3), "first three | ersten drei | trois premiers | tres primeros | 前三个"),
@@ -482,7 +484,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          type de conique | tipo de cónica | what conic | which conic | what kind of conic | what type of conic | welcher kegelschnitt | \
          quelle conique | qué cónica",
     ),
-    (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
+    (Phrase::Is, "est elle | est il | is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
     (
         Phrase::Equals,
         "equals | equal | be equal to | has value | has the value | have value | have the value | takes value | takes the value | take the value | hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | vaut | vaut elle | vaut il | tiene el valor | tiene valor | toma el valor | vale | ha il valore | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
@@ -552,7 +554,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "what | intermediate points | all intermediate points of | zwischenpunkte | points intermédiaires | new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
+        "what | representation | darstellung | représentation | representación | eine | einem | einen | einer | eines | forma | forme | intermediate points | all intermediate points of | zwischenpunkte | points intermédiaires | new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
          all | all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \

@@ -58,7 +58,7 @@ impl Reader<'_> {
                 }
                 Part::Phrase(Phrase::Function("bspline" | "bspline_basis"), _) => spline = true,
                 Part::Phrase(Phrase::Function("bezier"), _) => bezier = true,
-                Part::Phrase(Phrase::Of | Phrase::And | Phrase::Is | Phrase::Label(Label::With | Label::At), _) => {}
+                Part::Phrase(Phrase::Of | Phrase::And | Phrase::Is | Phrase::Label(Label::With | Label::At | Label::To | Label::In), _) => {}
                 Part::Piece(span) => {
                     known.push((next.and_then(counted_by)?, self.number(*span)?));
                     at += 1;

@@ -8,6 +8,7 @@ use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 /// The parts of a request with the phrases in place of which others are meant.
 pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
+    methods(&mut parts);
     ends(&mut parts);
     of_derivative(&mut parts);
     basis_function(text, &mut parts);
@@ -19,6 +20,7 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     continuations(text, &mut parts);
     true_degrees(text, &mut parts);
     given_in_bernstein(text, &mut parts);
+    uniform_knots(&mut parts);
     splines(&mut parts);
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
@@ -40,6 +42,13 @@ fn given_in_bernstein(text: &str, parts: &mut [Part]) {
     }
     for at in 0..parts.len() {
         let Part::Phrase(Phrase::Function(name @ ("in_bernstein" | "bernstein")), span) = parts[at] else { continue };
+        // bernstein(n, i) has two numbers.
+        let numbers = matches!(parts.get(at + 1), Some(Part::Piece(span))
+            if text.piece(span.range()).matches(',').count() > 1 && !text.piece(span.range()).contains(char::is_alphabetic));
+        if name == "bernstein" && numbers {
+            parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
+            continue;
+        }
         if name == "in_bernstein" && several(text, parts.get(at + 1)) {
             parts[at] = Part::Phrase(Phrase::Label(Label::Points), span);
             continue;
@@ -182,19 +191,14 @@ fn true_degrees(text: &str, parts: &mut Vec<Part>) {
     let expanded = |span| {
         [Part::Phrase(Phrase::Function("degree"), span), Part::Phrase(Phrase::Function("expand"), span)]
     };
-    // is the cubic 0, 1, 2, 3 quadratic?
-    if let [
-        Part::Phrase(Phrase::Is, is),
-        degree @ Part::Phrase(Phrase::Degree(_), span),
-        list @ Part::Piece(_),
-        quality @ Part::Phrase(Phrase::Degree(_), _),
-    ] = parts.as_slice()
-        && several(text, Some(list))
-    {
-        let (is, degree, span, list, quality) = (*is, *degree, *span, *list, *quality);
+    // is the cubic 0, 1, 2, 3 quadratic? has the curve 0, 1, 2, 3 the degree 1?
+    if let Some((degree, list, quality)) = claimed_degree(text, parts) {
+        let (Part::Piece(span) | Part::Phrase(_, span)) = list;
         let curve = Part::Phrase(Phrase::Function("bezier"), span);
-        let [outer, inner] = expanded(is);
-        *parts = vec![outer, inner, degree, curve, list, Part::Phrase(Phrase::Equals, is), quality];
+        let [outer, inner] = expanded(span);
+        *parts = vec![outer, inner];
+        parts.extend(degree);
+        parts.extend([curve, list, Part::Phrase(Phrase::Equals, span), quality]);
         return;
     }
     if let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::TrueDegree, _))) {
@@ -390,16 +394,36 @@ fn ends(parts: &mut Vec<Part>) {
     }
 }
 
-/// The derivative control points of a spline are the control points of its derivative.
-fn of_derivative(parts: &mut [Part]) {
-    if let [
-        derivative @ Part::Phrase(Phrase::Function("derivative"), _),
-        points @ Part::Phrase(Phrase::Function("control_points"), _),
-        Part::Phrase(..),
-        ..,
-    ] = parts
-    {
-        std::mem::swap(derivative, points);
+/// The derivative control points of a curve are the control points of its derivative; so are the second derivative control points.
+fn of_derivative(parts: &mut Vec<Part>) {
+    let points = |part: Option<&Part>| {
+        matches!(part, Some(Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _)))
+    };
+    let at = (0..parts.len()).find(|at| {
+        matches!(parts[*at], Part::Phrase(Phrase::Function("derivative"), _)) && points(parts.get(at + 1))
+    });
+    // derivative: control points 0, 1, 3
+    if let Some(at) = at.filter(|at| !matches!(parts.get(at + 2), Some(Part::Piece(_)))) {
+        let own = parts.remove(at + 1);
+        let ordinal = at > 0 && matches!(parts[at - 1], Part::Phrase(Phrase::Ordinal(_), _));
+        parts.insert(at - usize::from(ordinal), own);
+    }
+}
+
+/// How something is done says nothing of what is asked: using de Casteljau's algorithm.
+fn methods(parts: &mut Vec<Part>) {
+    while let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Using, _))) {
+        parts.remove(at);
+        let others = parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _)));
+        if at > 0
+            && matches!(
+                parts.get(at),
+                Some(Part::Phrase(Phrase::Function("polar" | "casteljau" | "deboor" | "subdivide"), _))
+            )
+            && (others.count() > 1 || at + 1 == parts.len())
+        {
+            parts.remove(at);
+        }
     }
 }
 
@@ -411,5 +435,41 @@ fn basis_function(text: &str, parts: &mut [Part]) {
         && matches!(text.piece(span.range()), "N(t)" | "N(x)" | "N(u)" | "B(t)" | "B(x)" | "N" | "B")
     {
         parts[0] = Part::Phrase(Phrase::Function("bspline_basis"), span);
+    }
+}
+
+/// A list that is claimed to have a degree: the degree that it seems to have, the list, the degree.
+fn claimed_degree(text: &str, parts: &[Part]) -> Option<(Option<Part>, Part, Part)> {
+    let mut rest: Vec<Part> = parts.to_vec();
+    let asks = rest.iter().position(|part| matches!(part, Part::Phrase(Phrase::Is, _)))?;
+    rest.remove(asks);
+    if matches!(rest.first(), Some(Part::Phrase(Phrase::Function("bezier"), _))) {
+        rest.remove(0);
+    }
+    let degree = rest.first().copied().filter(|part| matches!(part, Part::Phrase(Phrase::Degree(_), _)));
+    let rest = rest.get(usize::from(degree.is_some())..)?;
+    let (list, rest) = rest.split_first()?;
+    if !several(text, Some(list)) {
+        return None;
+    }
+    match rest {
+        [quality @ Part::Phrase(Phrase::Degree(_), _)] => Some((degree, *list, *quality)),
+        [Part::Phrase(Phrase::Label(Label::OfDegree), _), quality @ Part::Piece(_)] => Some((degree, *list, *quality)),
+        _ => None,
+    }
+}
+
+/// Uniform knots that are not written down.
+fn uniform_knots(parts: &mut Vec<Part>) {
+    let at = (0..parts.len()).find(|at| {
+        matches!(parts[*at], Part::Phrase(Phrase::Uniform, _))
+            && matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::Knots), _)))
+            && !matches!(parts.get(at + 2), Some(Part::Piece(_)))
+    });
+    if let Some(at) = at {
+        parts.remove(at + 1);
+        if at > 0 && matches!(parts[at - 1], Part::Phrase(Phrase::Label(Label::With), _)) {
+            parts.remove(at - 1);
+        }
     }
 }
