@@ -152,7 +152,8 @@ impl Session {
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
         // over Q
         let short = |piece: &&Span| piece.len() > 1 || text.piece(piece.range()).contains(char::is_numeric);
-        let alone = found.pieces.iter().filter(short).count() == 1 && !found.unknown.iter().any(|span| matters(text, *span));
+        let alone = found.pieces.iter().filter(short).count() == 1
+            && !found.unknown.iter().any(|span| matters(text, *span));
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
@@ -447,9 +448,9 @@ impl Session {
 /// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
 fn matters(text: &str, span: Span) -> bool {
     const DENYING: &[&str] = &[
-        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean", "average",
-        "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte", "erste", "mittlere",
-        "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
+        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean",
+        "average", "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte",
+        "erste", "mittlere", "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
     ];
     if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
         return true;

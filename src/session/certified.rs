@@ -27,7 +27,8 @@ impl Session {
             guarded(&self.limits, || read_in(&self.env, file, Some(span)))
                 .map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
         };
-        let (claimed, region_of_object) = match (self.object_claimed(file, place(claim)), read(place(claim))) {
+        let (claimed, region_of_object) = match (self.object_claimed(file, place(claim)), read(place(claim)))
+        {
             (Some((claimed, ends)), _) => (claimed, Some(ends)),
             (None, Ok(claimed)) => (claimed, None),
             (None, Err(_)) => return Ok(None),
@@ -61,6 +62,11 @@ impl Session {
 impl Session {
     /// The Bézier polynomial that words describe, at a parameter, and the interval over which it is given.
     fn object_claimed(&self, file: &SourceFile, claim: Span) -> Option<(Expr, [Expr; 2])> {
+        // A polygon is none of its curve.
+        let text = file.slice(claim).to_lowercase();
+        if ["polygon", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)) {
+            return None;
+        }
         let object = self.spoken_data(file, claim)?;
         let Kind::Apply(callee, groups) = &object.kind else { return None };
         if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
@@ -135,7 +141,8 @@ impl Session {
 impl Session {
     /// A strict claim on an interval by the least or largest value there: minimum(F, 0, 1) > 0.
     fn sign_over(&self, claimed: &Expr, shape: Shape, [a, b]: [&Expr; 2], span: Span) -> Option<Expr> {
-        let function = (0..shape.order).fold(claimed.clone(), |function, _| call("diff", vec![function], span));
+        let function =
+            (0..shape.order).fold(claimed.clone(), |function, _| call("diff", vec![function], span));
         let extreme = match shape.relation() {
             Rel::Gt | Rel::Ge => "minimum",
             Rel::Lt | Rel::Le => "maximum",

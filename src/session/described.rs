@@ -178,9 +178,7 @@ fn letter_of(callee: &Expr) -> Option<&str> {
 
 fn gather(formula: &Expr, letters: &mut Vec<String>) {
     if let Kind::Apply(callee, groups) = &formula.kind {
-        letters.extend(
-            letter_of(callee).filter(|name| function_called(name).is_none()).map(str::to_owned),
-        );
+        letters.extend(letter_of(callee).filter(|name| function_called(name).is_none()).map(str::to_owned));
         groups.iter().flatten().for_each(|argument| gather(argument, letters));
         return;
     }

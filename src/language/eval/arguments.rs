@@ -60,9 +60,14 @@ impl Arguments {
         self.named.push((name, value, span));
     }
 
-    /// Remembers where a name stands.
-    pub(crate) fn name_stands_at(&mut self, name: &str, span: Span) {
-        self.name_spans.push((name.to_owned(), span));
+    /// An argument as it is written, with the place of its name.
+    pub(crate) fn push_written(&mut self, written: &Expr, name: String, value: Value, span: Span) {
+        if let Kind::Chain(left, _) = &written.kind
+            && !left.span.is_empty()
+        {
+            self.name_spans.push((name.clone(), left.span));
+        }
+        self.push_named(name, value, span);
     }
 
     /// Where a name stands.

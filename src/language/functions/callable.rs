@@ -266,7 +266,7 @@ pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
 }
 
 /// What to write for an argument that a function does not take: its derivation may.
-pub(super) fn elsewhere(builtin: &Builtin, parameters: &[Parameter], argument: &str) -> String {
+fn elsewhere(builtin: &Builtin, parameters: &[Parameter], argument: &str) -> String {
     let takes = |subject: &Builtin| {
         subject.name == builtin.name
             && subject.parameter_lists().flatten().any(|parameter| parameter.name == argument)
@@ -342,6 +342,19 @@ impl Callable for Builtin {
     }
 
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
-        Builtin::run(self, machine, arguments)
+        Builtin::run(self, machine, arguments).map_err(|error| {
+            let unknown =
+                error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
+            let form = error.reason.as_deref().and_then(|reason| reason.strip_prefix("the form is "));
+            // The form that was meant, by what the first argument is.
+            let parameters = form.map_or(self.parameters, |form| self.parameters_of(form));
+            match unknown
+                .filter(|_| error.hints.is_empty())
+                .map(|argument| elsewhere(self, parameters, argument))
+            {
+                Some(advice) => error.hint(advice),
+                None => error,
+            }
+        })
     }
 }

@@ -86,7 +86,12 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[
             CURVE,
             optional("k", Takes::Size, "1", "the order"),
-            optional("end", Takes::Scalar, "an interval as long as that of the curve", "the end of the next interval"),
+            optional(
+                "end",
+                Takes::Scalar,
+                "an interval as long as that of the curve",
+                "the end of the next interval",
+            ),
         ],
         summary: "the first k + 1 control points of any curve of its degree that follows it and joins it C^k",
         example: "continuation(bezier([0, 1, 3, 4]), 2)",
@@ -99,7 +104,8 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             let k = args.optional_size(1)?.unwrap_or(1);
             if k > curve.degree() {
-                let message = format!("a curve of degree {} has {} control points", curve.degree(), curve.degree() + 1);
+                let message =
+                    format!("a curve of degree {} has {} control points", curve.degree(), curve.degree() + 1);
                 return Err(Diagnostic::error(Code::Domain, message)
                     .at(args.span(1))
                     .hint(format!("choose an order of at most {}", curve.degree())));

@@ -3,13 +3,16 @@
 
 use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::ops::errors::curve_error;
 use crate::language::ops::formula::{is_parameter, symbol_of};
+use crate::language::ops::geometry::{bezier, points_of};
 use crate::language::ops::polar::levelled;
 
 use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
 use crate::formula::source::Span;
-use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::value::{Geometry, PolarKind, Value, free_parameter};
+use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::value::{Form, Geometry, PolarKind, Value, free_parameter};
+use crate::math::curve::{BezierCurve, Interval};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
@@ -142,6 +145,14 @@ impl Builtin {
         lines
     }
 
+    /// The parameters of one of its forms.
+    pub(super) fn parameters_of(&self, form: &str) -> &'static [Parameter] {
+        self.variants()
+            .map(|own| own.parameters)
+            .find(|own| self.form(own) == form)
+            .unwrap_or(self.parameters)
+    }
+
     /// How it is called with these parameters.
     pub(super) fn form_with(&self, parameters: &[Parameter]) -> String {
         self.form(parameters)
@@ -237,10 +248,9 @@ impl Builtin {
 
     /// roots(bezier([1, -1, 1])): a Bézier polynomial where a polynomial is expected, and its interval where one is.
     fn with_polynomial_of_curve(&self, machine: &mut Machine, mut args: Arguments) -> Arguments {
-        let of_polynomial = self
-            .parameters
-            .first()
-            .is_some_and(|first| matches!(first.kind, Takes::Polynomial | Takes::Scalar) && first.name == "F");
+        let of_polynomial = self.parameters.first().is_some_and(|first| {
+            matches!(first.kind, Takes::Polynomial | Takes::Scalar) && first.name == "F"
+        });
         let Some((Value::Geometry(geometry), span)) = args.given(0) else { return args };
         let Geometry::Bezier(curve, form) = &**geometry else { return args };
         if !of_polynomial || self.on_curve.is_some() || !form.scalar || form.rational || self.topic != ROOTS {
@@ -254,7 +264,8 @@ impl Builtin {
         args = args.with_first(Value::Scalar(value));
         let takes = |name: &str| self.parameters.iter().any(|own| own.name == name && own.has_place());
         if whole && takes("a") && takes("b") {
-            let written = ends.iter().map(|end| crate::language::write::text(&end.to_expr())).collect::<Vec<_>>();
+            let written =
+                ends.iter().map(|end| crate::language::write::text(&end.to_expr())).collect::<Vec<_>>();
             let note = format!("on [{}], the interval of the curve", written.join(", "));
             machine.note(Diagnostic::note(Code::StandardMeaning, note).at(span));
             for (place, end) in (1..).zip(ends) {
@@ -281,18 +292,23 @@ impl Builtin {
 
     /// elevate([0, 2, 3]), elevate(0, 2, 3): numbers or points where a curve is expected are its control points.
     fn with_curve_of_points(&self, machine: &mut Machine, args: Arguments) -> Result<Arguments> {
-        let of_curves = |parameter: &Parameter| matches!(parameter.kind, Takes::Curve | Takes::Polar | Takes::Geometry);
+        let of_curves =
+            |parameter: &Parameter| matches!(parameter.kind, Takes::Curve | Takes::Polar | Takes::Geometry);
         let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
-        if self.topic == "Figures" || !places.next().is_some_and(of_curves) || places.next().is_some_and(of_curves) {
+        if self.topic == "Figures"
+            || !places.next().is_some_and(of_curves)
+            || places.next().is_some_and(of_curves)
+        {
             return Ok(args);
         }
         let number = |value: &Value| value.as_rational().is_some() && !matches!(value, Value::List(_));
-        let point = |value: &Value| {
-            matches!(value, Value::List(items) if items.len() > 1 && items.iter().all(number))
-        };
-        let points = |items: &[Value]| items.len() > 1 && (items.iter().all(number) || items.iter().all(point));
+        let point = |value: &Value| matches!(value, Value::List(items) if items.len() > 1 && items.iter().all(number));
+        let points =
+            |items: &[Value]| items.len() > 1 && (items.iter().all(number) || items.iter().all(point));
         let most = self.parameters.iter().filter(|parameter| parameter.has_place());
-        let most = most.map(|p| if let Need::Many(_, most) = p.need { most } else { 1 }).fold(0, usize::saturating_add);
+        let most = most
+            .map(|p| if let Need::Many(_, most) = p.need { most } else { 1 })
+            .fold(0, usize::saturating_add);
         let side_by_side: Vec<Value> = args.values().cloned().collect();
         let args = match side_by_side.len() > most && points(&side_by_side) {
             true => {
@@ -302,16 +318,13 @@ impl Builtin {
             false => args,
         };
         let Some((Value::List(items), span)) = args.given(0) else { return Ok(args) };
-        let Some(bezier) = super::table::builtin("bezier").filter(|_| points(items.as_slice())) else {
-            return Ok(args);
-        };
-        let mut own = Arguments::default();
-        own.push(Value::List(items.clone()), span);
-        let curve = bezier.run_once(machine, own)?;
+        let found = points_of(&Value::List(items.clone())).filter(|_| points(items.as_slice()));
+        let Some((points, scalar)) = found else { return Ok(args) };
+        let curve = BezierCurve::new(points, Interval::unit()).map_err(curve_error).at(span)?;
+        let curve = bezier(curve, Form { scalar, rational: false });
         let written = crate::language::write::text(&curve.to_expr());
-        machine.note(
-            Diagnostic::note(Code::StandardMeaning, format!("read as the curve {written}")).at(span),
-        );
+        machine
+            .note(Diagnostic::note(Code::StandardMeaning, format!("read as the curve {written}")).at(span));
         Ok(args.with_first(curve))
     }
 
@@ -415,7 +428,7 @@ impl Builtin {
             .reason(format!("the form is {}", self.form(parameters)));
         match nearest(name, known.map(|parameter| parameter.name)) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
-            None => error.hint(super::callable::elsewhere(self, parameters, name)),
+            None => error,
         }
     }
 

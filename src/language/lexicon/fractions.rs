@@ -47,7 +47,8 @@ const FRACTIONS: &[(&str, &str)] = &[
 ];
 
 /// The words behind a fraction that make it a part of something else: one half of the curve, a third root.
-const OF: &[&str] = &["of", "von", "der", "des", "de", "du", "root", "derivative", "degree", "order", "knot", "point"];
+const OF: &[&str] =
+    &["of", "von", "der", "des", "de", "du", "root", "derivative", "degree", "order", "knot", "point"];
 
 /// A text with digits and blanks for its fractions in words, so that all places stay the same; `None` if it has none.
 pub(crate) fn with_digits(text: &str) -> Option<String> {
@@ -62,7 +63,8 @@ pub(crate) fn with_digits(text: &str) -> Option<String> {
             let ideographs = words.starts_with(is_ideograph);
             let before = lower.get(..at).and_then(|text| text.chars().next_back());
             let rest = lower.get(at + words.len()..).unwrap_or_default();
-            let apart = !before.is_some_and(char::is_alphanumeric) && !rest.starts_with(char::is_alphanumeric);
+            let apart =
+                !before.is_some_and(char::is_alphanumeric) && !rest.starts_with(char::is_alphanumeric);
             let next: String = rest.trim_start().chars().take_while(|c| c.is_alphabetic()).collect();
             if !(apart || ideographs) || OF.contains(&next.as_str()) {
                 continue;

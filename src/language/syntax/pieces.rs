@@ -99,7 +99,10 @@ pub(super) fn parts(
             && !dollar
             && piece.contains('=')
             && begins_equation(piece)
-            && text.piece(at + 1..).trim_start().starts_with(|next: char| next == '(' || next.is_ascii_digit())
+            && text
+                .piece(at + 1..)
+                .trim_start()
+                .starts_with(|next: char| next == '(' || next.is_ascii_digit())
             && text.piece(at + 1..).starts_with(' ')
         {
             push(&mut parts, start, at);
@@ -196,7 +199,9 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
         return false;
     }
     // both halves' control points
-    if matches!(phrase, Phrase::Filler) && written.ends_with('s') && text.piece(at + length..).starts_with(['\'', '’'])
+    if matches!(phrase, Phrase::Filler)
+        && written.ends_with('s')
+        && text.piece(at + length..).starts_with(['\'', '’'])
         && text.piece(at + length..).chars().nth(1).is_some_and(char::is_whitespace)
     {
         return true;
@@ -233,7 +238,10 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
         // a B-spline
         let letter = |c: &char| c.is_alphabetic() || *c == '-';
         let word: String = next.chars().take_while(letter).collect();
-        return rest.starts_with(' ') && word.starts_with(char::is_alphabetic) && !word.ends_with('-') && word.chars().count() > 1;
+        return rest.starts_with(' ')
+            && word.starts_with(char::is_alphabetic)
+            && !word.ends_with('-')
+            && word.chars().count() > 1;
     }
     true
 }

@@ -34,7 +34,8 @@ pub(crate) fn unknown(
     if !parts.iter().any(says) {
         return None;
     }
-    let mut found = Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None, form: None };
+    let mut found =
+        Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None, form: None };
     let mut name: Option<&str> = None;
     let mut parts = parts.into_iter().peekable();
     while let Some(part) = parts.next() {
@@ -53,7 +54,9 @@ pub(crate) fn unknown(
                 continue;
             }
             Part::Phrase(
-                Phrase::Function("bezier" | "bezier_points" | "control_points" | "in_bernstein" | "bernstein"),
+                Phrase::Function(
+                    "bezier" | "bezier_points" | "control_points" | "in_bernstein" | "bernstein",
+                ),
                 _,
             ) if found.form.is_none() && !found.conditions.is_empty() => {
                 found.form = Some("bezier_points");

@@ -160,8 +160,12 @@ pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnosti
 /// 1, 3, 1; the cubic 0, 0, 8, 8 at 1/2.
 pub(super) fn curve_of_points(drafts: &mut Vec<Draft>, items: &[Expr], said: &[Read]) {
     let says = |label: Label| said.iter().any(|read| read.label == label);
-    let number = |item: &Expr| matches!(item.kind, Kind::Number(_) | Kind::Div(..) | Kind::Tuple(_) | Kind::Subscript(..) | Kind::Name(_))
-        || matches!(&item.kind, Kind::Add(terms) if terms.len() == 1);
+    let number = |item: &Expr| {
+        matches!(
+            item.kind,
+            Kind::Number(_) | Kind::Div(..) | Kind::Tuple(_) | Kind::Subscript(..) | Kind::Name(_)
+        ) || matches!(&item.kind, Kind::Add(terms) if terms.len() == 1)
+    };
     let counted = said.iter().any(|read| {
         read.label == Label::OfDegree
             && matches!(read.items.as_slice(), [degree] if degree.as_int().is_some_and(|n| usize::try_from(n + 1) == Ok(items.len())))

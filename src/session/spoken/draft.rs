@@ -2,7 +2,7 @@
 
 use super::{Read, one_term};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
@@ -61,39 +61,6 @@ fn is_list(kind: Takes) -> bool {
     )
 }
 
-/// A call of a function that says how often: elevate(c) twice.
-pub(super) fn repeated(called: &Expr, count: &Expr) -> Option<Expr> {
-    let Kind::Apply(callee, groups) = &called.kind else { return None };
-    let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
-    let times = builtin(name)?.parameters.iter().find(|own| matches!(own.name, "k" | "times"))?;
-    if arguments.iter().any(|argument| eval::named(argument).is_some()) {
-        return None;
-    }
-    let mut arguments = arguments.clone();
-    arguments.push(named(times.name, count.clone()));
-    Some(applied((**callee).clone(), arguments, called.span))
-}
-
-/// The interval of a Bézier curve that is called: bezier([0, 1, 3])(t).
-fn interval_of(called: &Expr) -> Option<[Expr; 2]> {
-    let Kind::Apply(curve, _) = &called.kind else { return None };
-    let Kind::Apply(callee, groups) = &curve.kind else { return None };
-    if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
-        return None;
-    }
-    let arguments = groups.first()?;
-    let end = |name: &str, other: i64| {
-        let own = arguments.iter().filter_map(eval::named).find(|(own, _)| own == name);
-        own.map_or_else(|| Expr::int(other), |(_, value)| value.clone())
-    };
-    let placed: Vec<&Expr> = arguments.iter().filter(|argument| eval::named(argument).is_none()).collect();
-    match placed.as_slice() {
-        [_, a, b] => Some([(*a).clone(), (*b).clone()]),
-        [_] => Some([end("a", 0), end("b", 1)]),
-        _ => None,
-    }
-}
-
 impl Draft {
     pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
         Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), part: None, degree: None }
@@ -101,8 +68,17 @@ impl Draft {
 
     /// Takes the words of its own phrase that are values of parameters: Chaikin's scheme.
     pub(super) fn take_words(&mut self, phrase: &str) {
-        const FOUR_POINT: &[&str] =
-            &["four point", "four-point", "vierpunkt", "vier punkt", "vier-punkt", "quatre points", "cuatro puntos", "quattro punti", "四点"];
+        const FOUR_POINT: &[&str] = &[
+            "four point",
+            "four-point",
+            "vierpunkt",
+            "vier punkt",
+            "vier-punkt",
+            "quatre points",
+            "cuatro puntos",
+            "quattro punti",
+            "四点",
+        ];
         if self.builtin.name == "subdivide_polygon" && FOUR_POINT.iter().any(|own| phrase.contains(own)) {
             self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
             return;
@@ -149,14 +125,17 @@ impl Draft {
             // the derivative of 0, 1, 3
             Takes::Function => {
                 let number = |item: &Expr| matches!(item.kind, Kind::Number(_));
-                let simple = |item: &Expr| number(item) || matches!(item.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Div(..));
+                let simple = |item: &Expr| {
+                    number(item) || matches!(item.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Div(..))
+                };
                 let numbers = self.builtin.name == "derivative"
                     && (items.iter().all(number) || items.len() > 2 && items.iter().all(simple));
                 items.len() > 1 && (is_points(items) || numbers)
             }
             // the blossom of 0, 1, 3
             Takes::Polynomial if self.builtin.name == "polar" => {
-                items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
+                items.len() > 1
+                    && items.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
                     || items.len() > 1 && is_points(items)
             }
             Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
@@ -226,7 +205,9 @@ impl Draft {
         if let ("bezier", [formula]) = (self.builtin.name, items.as_slice())
             && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
         {
-            let Some(points) = builtin("bezier_points").filter(|_| self.named.is_empty()) else { return false };
+            let Some(points) = builtin("bezier_points").filter(|_| self.named.is_empty()) else {
+                return false;
+            };
             self.builtin = points;
             return self.is_about(items, said);
         }
@@ -487,7 +468,7 @@ impl Draft {
     }
 
     /// Whether its object may be a curve, though other things may be, too.
-    fn takes_curves(&self) -> bool {
+    pub(super) fn takes_curves(&self) -> bool {
         self.builtin.parameters.first().is_some_and(|first| first.doc.contains("curve"))
     }
 
@@ -500,142 +481,5 @@ impl Draft {
     /// Whether it takes an interval by its ends.
     pub(super) fn has_ends(&self) -> bool {
         self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
-    }
-
-    /// The call, of what is inside of it.
-    pub(super) fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
-        let span = self.phrase;
-        let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
-        if let Some(mut inside) = inside {
-            let subject = self.builtin.parameters.first().map(|first| first.kind);
-            if let Kind::Apply(callee, groups) = &inside.kind
-                && let Kind::Name(name) = &callee.kind
-            {
-                match (subject, name.as_str(), groups.first().map(Vec::as_slice)) {
-                    // The points of a curve stand for it.
-                    (
-                        Some(Takes::Curve | Takes::Polar | Takes::Geometry),
-                        "control_points" | "bezier_points",
-                        Some([curve]),
-                    ) => inside = curve.clone(),
-                    // The zeros of a Bézier polynomial.
-                    (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() && !self.takes_curves() =>
-                    {
-                        let span = inside.span;
-                        inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
-                    }
-                    _ => {}
-                }
-            }
-            self.placed.insert(0, inside);
-        }
-        // The Bézier form of a spline is that of its pieces.
-        if matches!(self.builtin.name, "in_bernstein" | "bezier_points")
-            && let [spline] = self.placed.as_slice()
-            && matches!(&spline.kind, Kind::Apply(callee, _)
-                if matches!(&callee.kind, Kind::Name(name) if name == "bspline"))
-            && self.named.is_empty()
-        {
-            return Some(crate::formula::call("pieces", vec![spline.clone()], span));
-        }
-        // The control points of the parts of a curve are those of each.
-        if self.builtin.name == "control_points"
-            && let [parts] = self.placed.as_slice()
-            && matches!(&parts.kind, Kind::Apply(callee, _)
-                if matches!(&callee.kind, Kind::Name(name) if matches!(name.as_str(), "subdivide" | "pieces")))
-        {
-            let letter = Expr { span, ..Expr::name("c") };
-            let each = Expr::new(
-                Kind::Lambda(
-                    vec![letter.clone()],
-                    Box::new(crate::formula::call("control_points", vec![letter], span)),
-                ),
-                span,
-            );
-            return Some(crate::formula::call("map", vec![each, parts.clone()], span));
-        }
-        // The largest value of B_i^n is meant on [0, 1].
-        if matches!(self.builtin.name, "maximum" | "minimum")
-            && let [Expr { kind: Kind::Pow(base, _), .. }] = self.placed.as_slice()
-            && matches!(&base.kind, Kind::Subscript(letter, _) if matches!(&letter.kind, Kind::Name(name) if name == "B"))
-            && self.named.is_empty()
-        {
-            self.named.extend([("a", Expr::int(0)), ("b", Expr::int(1))]);
-        }
-        // The largest value of a Bézier polynomial is the one over its interval.
-        if matches!(self.builtin.name, "maximum" | "minimum")
-            && self.placed.len() == 1
-            && let Some([a, b]) = interval_of(&self.placed[0])
-            && !self.named.iter().any(|(name, _)| matches!(*name, "a" | "b"))
-        {
-            self.named.extend([("a", a), ("b", b)]);
-        }
-        let phrase = self.phrase;
-        let call =
-            |name: &str, arguments| applied(Expr { span: phrase, ..Expr::name(name) }, arguments, span);
-        // As many degrees as lie between.
-        if let Some(degree) = self.degree.take() {
-            let own = call("degree", vec![self.placed.first()?.clone()]);
-            let (more, less) = match self.builtin.name {
-                "elevate" => (degree, own),
-                _ => (own, degree),
-            };
-            let by = Expr {
-                span,
-                ..Expr::sum(vec![
-                    Term { sign: Sign::Plus, expr: more },
-                    Term { sign: Sign::Minus, expr: less },
-                ])
-            };
-            self.placed.push(by);
-        }
-        if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
-            let knots =
-                self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
-            let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
-            // The only one.
-            if let (Some(knots), Some(degree)) = (knots, degree)
-                && i64::try_from(knots.len()).is_ok_and(|count| count == degree + 2)
-            {
-                self.named.push(("i", Expr { span, ..Expr::int(0) }));
-            }
-        }
-        // The knots of m + 1 points are m + n + 2.
-        if self.builtin.name == "bspline" && self.placed.is_empty() {
-            let count = |name: &str| {
-                let (_, list) = self.named.iter().find(|(own, _)| *own == name)?;
-                i64::try_from(list.items()?.len()).ok()
-            };
-            let known = self.named.iter().any(|(name, _)| *name == "n");
-            if let (Some(knots), Some(points), false) = (count("knots"), count("points"), known)
-                && knots > points
-            {
-                self.named.push(("n", Expr { span, ..Expr::int(knots - points - 1) }));
-            }
-        }
-        // solve x + y = 3, x - y = 1 for x and y
-        if self.builtin.on_equations.is_some() {
-            let (unknowns, others): (Vec<_>, Vec<_>) =
-                self.named.into_iter().partition(|(name, _)| name.is_empty());
-            self.named = others;
-            if self.placed.len() > 1 {
-                self.placed = vec![list(self.placed)];
-            }
-            match unknowns.len() {
-                0 | 1 => self.named.extend(unknowns),
-                _ => self.named.push(("", list(unknowns.into_iter().map(|(_, name)| name).collect()))),
-            }
-        }
-        let others = self.named.into_iter().map(|(name, value)| match name {
-            "" => value,
-            _ => named(name, value),
-        });
-        let arguments = self.placed.into_iter().chain(others).collect();
-        let whole = call(self.builtin.name, arguments);
-        Some(match self.part {
-            Some(part) => Expr::new(Kind::Subscript(Box::new(whole), vec![list(vec![part])]), span),
-            None => whole,
-        })
     }
 }

@@ -8,7 +8,10 @@ use crate::language::functions::builtin;
 use crate::language::lexicon::phrases::Label;
 
 fn is_spline(draft: &Draft) -> bool {
-    matches!(draft.builtin.name, "bspline" | "bspline_basis" | "deboor" | "pieces" | "bezier_points" | "control_points")
+    matches!(
+        draft.builtin.name,
+        "bspline" | "bspline_basis" | "deboor" | "pieces" | "bezier_points" | "control_points"
+    )
 }
 
 fn items_of(read: &Read) -> Vec<Expr> {
@@ -26,10 +29,8 @@ fn degree_said(asked: &Utterance) -> Option<usize> {
 /// Gives a uniform spline the knots 0, 1, 2, …: uniform cubic B-spline with control points 1, 4, 2, 0.
 pub(super) fn uniform(asked: &mut Utterance) {
     let Some(at) = asked.said.iter().position(|read| read.label == Label::Uniform) else { return };
-    let spline = asked
-        .drafts
-        .iter()
-        .position(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
+    let spline =
+        asked.drafts.iter().position(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
     let (Some(degree), Some(spline)) = (degree_said(asked), spline) else { return };
     if asked.says(Label::Knots) {
         return;
@@ -66,9 +67,12 @@ pub(super) fn uniform(asked: &mut Utterance) {
 impl super::Reader<'_> {
     /// The B-spline with some knots is the one that has all of them: support of the B-spline with knots 0, 1, 3, 4.
     pub(super) fn only_basis_function(&self, asked: &mut Utterance) {
-        let Some(draft) = asked.drafts.iter().find(|draft| draft.builtin.name == "bspline_basis") else { return };
+        let Some(draft) = asked.drafts.iter().find(|draft| draft.builtin.name == "bspline_basis") else {
+            return;
+        };
         let phrase = self.file.slice(draft.phrase).to_lowercase();
-        let several = phrase.ends_with('s') || asked.drafts.iter().any(|draft| draft.builtin.name == "length");
+        let several =
+            phrase.ends_with('s') || asked.drafts.iter().any(|draft| draft.builtin.name == "length");
         let told = [Label::OfDegree, Label::Points, Label::Values, Label::Uniform, Label::Number];
         if several || told.into_iter().any(|label| asked.says(label)) || !asked.items.is_empty() {
             return;

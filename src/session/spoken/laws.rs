@@ -105,12 +105,15 @@ impl Reader<'_> {
         let mut letters = lists::letters(&claim, of);
         let mut degree = call("degree", vec![of.clone()], of.span);
         let degree = self.session.clone().evaluate(&mut degree, Equals::Claims).ok()?.value.as_int()?;
-        let missing = usize::try_from(degree).ok()?.checked_sub(letters.len()).filter(|missing| *missing > 0)?;
+        let missing =
+            usize::try_from(degree).ok()?.checked_sub(letters.len()).filter(|missing| *missing > 0)?;
         if letters.is_empty() {
             return None;
         }
         let used: Vec<String> = letters.iter().chain([of]).flat_map(bases).collect();
-        let free = ["u", "v", "w", "r", "s", "p", "q"].into_iter().filter(|name| !used.iter().any(|own| own == name));
+        let free = ["u", "v", "w", "r", "s", "p", "q"]
+            .into_iter()
+            .filter(|name| !used.iter().any(|own| own == name));
         letters.extend(free.take(missing).map(|name| Expr { span: claim.span, ..Expr::name(name) }));
         let span = claim.span.to(of.span);
         let form = applied(call("polar", vec![of.clone()], of.span), letters, span);
@@ -123,7 +126,10 @@ impl Reader<'_> {
         let text = self.file.slice(span);
         let letter = text.chars().next().filter(|letter| letter.is_alphabetic())?;
         let start = letter.len_utf8();
-        text.get(start..)?.strip_prefix('[')?.strip_suffix(']').filter(|inner| !inner.contains(['[', ']']))?;
+        text.get(start..)?
+            .strip_prefix('[')?
+            .strip_suffix(']')
+            .filter(|inner| !inner.contains(['[', ']']))?;
         let inner = Span::new(span.start + start + 1, span.end - 1);
         let name = Expr { span: Span::new(span.start, span.start + start), ..Expr::name(letter.to_string()) };
         let session = self.session;

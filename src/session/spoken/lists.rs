@@ -128,12 +128,7 @@ impl Equation {
             _ => return None,
         };
         let value = as_list(link.expr.clone());
-        (link.rel == crate::formula::Rel::Eq).then(|| Equation {
-            letter,
-            index,
-            value,
-            whole: item.clone(),
-        })
+        (link.rel == crate::formula::Rel::Eq).then(|| Equation { letter, index, value, whole: item.clone() })
     }
 
     /// Its three indices: b_{210}, b_{2,1,0}.

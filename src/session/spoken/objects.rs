@@ -97,6 +97,20 @@ impl Reader<'_> {
             };
             terms.push(Term { sign: if *minus { Sign::Minus } else { Sign::Plus }, expr });
         }
+        let signed = |term: &Term| match term.sign {
+            Sign::Minus => term.expr.as_int().map(|n| -n),
+            Sign::Plus => term.expr.as_int(),
+        };
+        let total: Option<i64> = terms.iter().map(signed).sum();
+        let span = terms.iter().map(|term| term.expr.span).filter(|span| !span.is_empty()).reduce(Span::to);
+        // C^-1 is no error: the curve may jump there.
+        if total.is_some_and(|total| total < 0) && terms.len() > 2 {
+            let problem = Diagnostic::error(Code::Domain, "there is no such spline")
+                .at(span.unwrap_or_default())
+                .reason("m control points of degree n have m + n + 1 knots")
+                .hint("give another degree, or another number of knots or points");
+            return Err(self.fail(problem));
+        }
         Ok(Expr::sum(terms))
     }
 

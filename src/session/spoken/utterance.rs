@@ -82,7 +82,10 @@ impl Utterance {
 
     /// Values for the places that have a word. Of a spline they depend on its knots.
     fn take_places(&mut self) {
-        if self.places.contains(&Place::Middle) || self.places.contains(&Place::Start) || self.places.contains(&Place::End) {
+        if self.places.contains(&Place::Middle)
+            || self.places.contains(&Place::Start)
+            || self.places.contains(&Place::End)
+        {
             self.take_places_of_spline();
         }
         let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
@@ -136,9 +139,11 @@ impl Utterance {
 
     /// The values of a spline with knots are its coefficients: linear spline, knots 0, 0, 1, 1, values 3, 5.
     fn values_of_spline(&mut self) {
-        let spline = self.drafts.iter().any(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
+        let spline =
+            self.drafts.iter().any(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
         // the quadratic with ordinates 0, 4, 0
-        let takes = |draft: &Draft| draft.builtin.parameters.iter().any(|own| matches!(own.name, "values" | "nodes"));
+        let takes =
+            |draft: &Draft| draft.builtin.parameters.iter().any(|own| matches!(own.name, "values" | "nodes"));
         let ordinates = self.items.is_empty()
             && !self.drafts.iter().any(takes)
             && !self.said.iter().any(|read| matches!(read.label, Label::Through | Label::At | Label::With));
@@ -169,8 +174,7 @@ impl Utterance {
 
     /// Of a conic or a standard form that is asked for by weights alone any points will do.
     fn weights_alone(&mut self) {
-        let of_weights =
-            |draft: &Draft| matches!(draft.builtin.name, "standard_form" | "conic_kind");
+        let of_weights = |draft: &Draft| matches!(draft.builtin.name, "standard_form" | "conic_kind");
         if !self.drafts.iter().any(of_weights) || !self.items.is_empty() || self.says(Label::Points) {
             return;
         }
@@ -194,7 +198,9 @@ impl Utterance {
 
     /// The interval over which a curve is continued stands behind its own: continue 0, 1, 3 on [0, 1] C^1 on [1, 2].
     fn continued(&mut self) {
-        let Some(at) = self.drafts.iter().position(|draft| draft.builtin.name == "continuation") else { return };
+        let Some(at) = self.drafts.iter().position(|draft| draft.builtin.name == "continuation") else {
+            return;
+        };
         let place = |read: &Read| read.items.first().map_or(0, |item| item.span.start);
         let intervals = |read: &&Read| {
             matches!(read.label, Label::Over | Label::To | Label::In)

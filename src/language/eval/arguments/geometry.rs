@@ -33,9 +33,7 @@ impl Arguments {
                     .reason("numbers and points side by side, or something else among them"),
                 false => wrong_kind("a list of control points", value),
             };
-            problem
-                .at(self.span(i))
-                .hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
+            problem.at(self.span(i)).hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
         })?;
         let already = self.flag("homogeneous", false)?;
         let Some((weights, span)) = self.named("weights") else {

@@ -9,7 +9,7 @@ use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
 use crate::language::functions::differential::coordinates;
 use crate::language::functions::parameter::{
-    DEGREE, END, KNOTS, NODES, Parameter, START, SPLINE, Takes, VALUES, named, required, size,
+    DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, Takes, VALUES, named, required, size,
 };
 use crate::language::functions::record::Variant;
 use crate::language::functions::splines::knots_at;

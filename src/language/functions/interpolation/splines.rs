@@ -10,11 +10,10 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::functions::Builtin;
-use crate::language::functions::record::Variant;
 use crate::language::functions::parameter::{
-    CURVE,
-    NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
+    CURVE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
 };
+use crate::language::functions::record::Variant;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::interpolate::{CubicSpline, End, Ends, Unknowns};
 use crate::math::poly::Fraction;

@@ -1,7 +1,8 @@
 //! The phrases of requests in words, of all languages.
 
 use super::Label::{
-    At, From, In, Knots, Multiplicity, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values, Weights, With,
+    At, From, In, Knots, Multiplicity, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values,
+    Weights, With,
 };
 use super::Phrase::{self, And, Between, Command, Degree, Filler, Flag, Function, Of, Ordinal};
 use super::Place::{Centre, End, Middle, Start};
@@ -448,12 +449,21 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "knot of multiplicity | knot with multiplicity | multiplicity | knoten der vielfachheit | vielfachheit | \
          nœud de multiplicité | multiplicité | nudo de multiplicidad | multiplicidad | 重数",
     ),
-    (Phrase::Using, "using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda"),
+    (
+        Phrase::Using,
+        "using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda",
+    ),
     (Phrase::Has, "has | have a | hat | haben | tiene | possède | besitzt"),
-    (Phrase::First(2), "first two | ersten beiden | ersten zwei | deux premiers | primeros dos | dos primeros | 前两个"),
+    (
+        Phrase::First(2),
+        "first two | ersten beiden | ersten zwei | deux premiers | primeros dos | dos primeros | 前两个",
+    ),
     (Phrase::First(3), "first three | ersten drei | trois premiers | tres primeros | 前三个"),
     (Phrase::First(4), "first four | ersten vier | quatre premiers | cuatro primeros | 前四个"),
-    (Phrase::Uniform, "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | uniforme~ | 均匀"),
+    (
+        Phrase::Uniform,
+        "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | uniforme~ | 均匀",
+    ),
     (Phrase::Curve, "curve | curve with | kurve | courbe | curva~ | 曲线"),
     (Phrase::Apply, "apply | wende | appliquer | applique | aplicar | aplica | applica"),
     (
@@ -484,7 +494,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          type de conique | tipo de cónica | what conic | which conic | what kind of conic | what type of conic | welcher kegelschnitt | \
          quelle conique | qué cónica",
     ),
-    (Phrase::Is, "est elle | est il | is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
+    (
+        Phrase::Is,
+        "est elle | est il | is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt",
+    ),
     (
         Phrase::Equals,
         "equals | equal | be equal to | has value | has the value | have value | have the value | takes value | takes the value | take the value | hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | vaut | vaut elle | vaut il | tiene el valor | tiene valor | toma el valor | vale | ha il valore | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",

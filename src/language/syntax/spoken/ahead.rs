@@ -19,8 +19,7 @@ impl Reader<'_> {
         matches!(
             self.phrase(),
             Some(Phrase::Label(_) | Phrase::Place(_) | Phrase::Flag(..) | Phrase::Uniform)
-        )
-            || says_degree
+        ) || says_degree
             || self.at_points()
     }
 

@@ -56,7 +56,15 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
     let member = |part: &&Part| is_member(text, part);
     let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
     let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
-    parts.iter().any(named) || polite || labelled || valued || qualified || smooth || given || curve || repeated
+    parts.iter().any(named)
+        || polite
+        || labelled
+        || valued
+        || qualified
+        || smooth
+        || given
+        || curve
+        || repeated
 }
 
 /// Whether a value is asked for of something that was said before, or members are given of which something is asked behind.

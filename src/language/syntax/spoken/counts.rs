@@ -32,7 +32,9 @@ impl Reader<'_> {
                     wanted = Some(next.and_then(counted_by)?);
                     at += 1;
                 }
-                Part::Phrase(Phrase::Function("smoothness" | "continuity"), _) if !smooth && wanted.is_none() => {
+                Part::Phrase(Phrase::Function("smoothness" | "continuity"), _)
+                    if !smooth && wanted.is_none() =>
+                {
                     smooth = true;
                 }
                 Part::Phrase(Phrase::Label(Label::OfDegree), _) => match next {
@@ -58,7 +60,13 @@ impl Reader<'_> {
                 }
                 Part::Phrase(Phrase::Function("bspline" | "bspline_basis"), _) => spline = true,
                 Part::Phrase(Phrase::Function("bezier"), _) => bezier = true,
-                Part::Phrase(Phrase::Of | Phrase::And | Phrase::Is | Phrase::Label(Label::With | Label::At | Label::To | Label::In), _) => {}
+                Part::Phrase(
+                    Phrase::Of
+                    | Phrase::And
+                    | Phrase::Is
+                    | Phrase::Label(Label::With | Label::At | Label::To | Label::In),
+                    _,
+                ) => {}
                 Part::Piece(span) => {
                     known.push((next.and_then(counted_by)?, self.number(*span)?));
                     at += 1;
@@ -73,8 +81,12 @@ impl Reader<'_> {
         let unit = What::Degree(1);
         let count: Count = match (wanted, smooth, known.len()) {
             (None, true, 2) => vec![(false, one(Of::Degree)?), (true, one(Of::Multiplicity)?)],
-            (Some(Of::Points), false, 1) if bezier && !spline => vec![(false, one(Of::Degree)?), (false, unit)],
-            (Some(Of::Degree), false, 1) if bezier && !spline => vec![(false, one(Of::Points)?), (true, unit)],
+            (Some(Of::Points), false, 1) if bezier && !spline => {
+                vec![(false, one(Of::Degree)?), (false, unit)]
+            }
+            (Some(Of::Degree), false, 1) if bezier && !spline => {
+                vec![(false, one(Of::Points)?), (true, unit)]
+            }
             _ if bezier => return None,
             (Some(Of::Points), false, 2) => {
                 vec![(false, one(Of::Knots)?), (true, one(Of::Degree)?), (true, unit)]
@@ -103,7 +115,9 @@ impl Reader<'_> {
 fn counted_by(part: &Part) -> Option<Of> {
     match part {
         Part::Phrase(Phrase::Label(Label::Knots), _) => Some(Of::Knots),
-        Part::Phrase(Phrase::Function("control_points") | Phrase::Label(Label::Points), _) => Some(Of::Points),
+        Part::Phrase(Phrase::Function("control_points") | Phrase::Label(Label::Points), _) => {
+            Some(Of::Points)
+        }
         _ => None,
     }
 }

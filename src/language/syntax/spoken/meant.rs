@@ -41,7 +41,9 @@ fn given_in_bernstein(text: &str, parts: &mut [Part]) {
         return;
     }
     for at in 0..parts.len() {
-        let Part::Phrase(Phrase::Function(name @ ("in_bernstein" | "bernstein")), span) = parts[at] else { continue };
+        let Part::Phrase(Phrase::Function(name @ ("in_bernstein" | "bernstein")), span) = parts[at] else {
+            continue;
+        };
         // bernstein(n, i) has two numbers.
         let numbers = matches!(parts.get(at + 1), Some(Part::Piece(span))
             if text.piece(span.range()).matches(',').count() > 1 && !text.piece(span.range()).contains(char::is_alphabetic));
@@ -59,7 +61,8 @@ fn given_in_bernstein(text: &str, parts: &mut [Part]) {
         let points = matches!(
             data.first(),
             Some(Part::Phrase(
-                Phrase::Label(Label::Points | Label::Values) | Phrase::Function("control_points" | "bezier_points"),
+                Phrase::Label(Label::Points | Label::Values)
+                    | Phrase::Function("control_points" | "bezier_points"),
                 _
             ))
         ) && several(text, data.get(1));
@@ -99,8 +102,10 @@ fn formulas_in_bernstein(text: &str, parts: &mut [Part]) {
         return;
     }
     for at in 1..parts.len() {
-        if let (Part::Phrase(Phrase::Function("bernstein"), span), Part::Phrase(Phrase::Label(Label::To | Label::In), _)) =
-            (parts[at], parts[at - 1])
+        if let (
+            Part::Phrase(Phrase::Function("bernstein"), span),
+            Part::Phrase(Phrase::Label(Label::To | Label::In), _),
+        ) = (parts[at], parts[at - 1])
         {
             parts[at] = Part::Phrase(Phrase::Function("in_bernstein"), span);
         }
@@ -163,19 +168,21 @@ fn curves(text: &str, parts: &mut Vec<Part>) {
                 _
             ))
         );
-        let with = matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::With) | Phrase::Of, _)))
-            && matches!(
-                parts.get(at + 2),
-                Some(Part::Phrase(
-                    Phrase::Label(Label::Points) | Phrase::Function("control_points" | "bezier_points"),
-                    _
-                ))
-            );
+        let with =
+            matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::With) | Phrase::Of, _)))
+                && matches!(
+                    parts.get(at + 2),
+                    Some(Part::Phrase(
+                        Phrase::Label(Label::Points) | Phrase::Function("control_points" | "bezier_points"),
+                        _
+                    ))
+                );
         if !others && (points || with || several(text, parts.get(at + 1))) {
             parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
             // on the curve 0, 1, 3
             if at > 0
-                && let Part::Phrase(Phrase::Label(Label::Over | Label::In | Label::With), place) = parts[at - 1]
+                && let Part::Phrase(Phrase::Label(Label::Over | Label::In | Label::With), place) =
+                    parts[at - 1]
             {
                 parts[at - 1] = Part::Phrase(Phrase::Of, place);
             }
@@ -225,7 +232,8 @@ fn properties(parts: &mut Vec<Part>) {
             && at > 0
         {
             let start = usize::from(matches!(parts.first(), Some(Part::Phrase(Phrase::Is, _))));
-            let function: Vec<Part> = parts.splice(at..=at + ordinal, [Part::Phrase(Phrase::Equals, span)]).collect();
+            let function: Vec<Part> =
+                parts.splice(at..=at + ordinal, [Part::Phrase(Phrase::Equals, span)]).collect();
             parts.splice(start..start, function.into_iter().chain([Part::Phrase(Phrase::Of, span)]));
         }
     }
@@ -246,7 +254,10 @@ fn behind(text: &str, parts: &mut Vec<Part>) {
         kind(*at)
             && several(text, parts.get(at - 1))
             && matches!(parts.get(at + 1), Some(Part::Phrase(Phrase::Label(Label::Over | Label::At), _)))
-            && !matches!(at.checked_sub(2).and_then(|at| parts.get(at)), Some(Part::Phrase(Phrase::Label(_), _)))
+            && !matches!(
+                at.checked_sub(2).and_then(|at| parts.get(at)),
+                Some(Part::Phrase(Phrase::Label(_), _))
+            )
     });
     if let (Some(at), true) = (place, only) {
         parts.swap(at - 1, at);
@@ -254,12 +265,22 @@ fn behind(text: &str, parts: &mut Vec<Part>) {
     }
     let last = parts.len().saturating_sub(1);
     let Some(Part::Phrase(Phrase::Function("bezier"), span)) = parts.get(last).copied() else { return };
-    let others = parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function("bezier"), _))).count();
+    let others =
+        parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function("bezier"), _))).count();
     let list = parts.iter().position(|part| several(text, Some(part)));
     let bare = |at: usize| {
-        at == 0 || !matches!(parts.get(at - 1), Some(Part::Phrase(Phrase::Label(_) | Phrase::Function("bezier_points" | "control_points"), _)))
+        at == 0
+            || !matches!(
+                parts.get(at - 1),
+                Some(Part::Phrase(
+                    Phrase::Label(_) | Phrase::Function("bezier_points" | "control_points"),
+                    _
+                ))
+            )
     };
-    if let Some(at) = list.filter(|at| others == 1 && at + 1 < last && bare(*at)) {
+    if let Some(at) =
+        list.filter(|at| others == 1 && *at > 0 && bare(*at) || others == 1 && at + 1 < last && bare(*at))
+    {
         parts.truncate(last);
         parts.insert(at, Part::Phrase(Phrase::Function("bezier"), span));
     }
@@ -277,7 +298,10 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
     if let (Some(Part::Phrase(Phrase::Function("expand"), span)), true) = (parts.first().copied(), rational)
         && text.piece(span.range()).to_lowercase().starts_with("standard")
         && parts.iter().any(|part| several(text, Some(part)))
-        && !matches!(parts.get(1..3), Some([Part::Phrase(Phrase::Of, _), Part::Phrase(Phrase::Label(Label::Weights), _)]))
+        && !matches!(
+            parts.get(1..3),
+            Some([Part::Phrase(Phrase::Of, _), Part::Phrase(Phrase::Label(Label::Weights), _)])
+        )
     {
         parts[0] = Part::Phrase(Phrase::Function("standard_form"), span);
         return;
@@ -285,7 +309,10 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
     let points = |part: &Part| {
         matches!(
             part,
-            Part::Phrase(Phrase::Label(Label::Points) | Phrase::Function("bezier" | "control_points" | "bspline"), _)
+            Part::Phrase(
+                Phrase::Label(Label::Points) | Phrase::Function("bezier" | "control_points" | "bspline"),
+                _
+            )
         )
     };
     if !of_weights || parts.iter().any(points) {
@@ -297,7 +324,8 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
         _ => None,
     };
     let command = parts.iter().any(|part| matches!(standard(part), Some((_, false))));
-    let Some(at) = parts.iter().position(|part| standard(part).is_some_and(|(_, form)| form != command)) else {
+    let Some(at) = parts.iter().position(|part| standard(part).is_some_and(|(_, form)| form != command))
+    else {
         return;
     };
     let Some((span, _)) = standard(&parts[at]) else { return };
@@ -309,8 +337,11 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
         ],
     );
     // to standard form
-    if let [.., Part::Phrase(Phrase::Label(Label::To | Label::In), _), Part::Phrase(Phrase::Function("expand"), _)] =
-        parts.as_slice()
+    if let [
+        ..,
+        Part::Phrase(Phrase::Label(Label::To | Label::In), _),
+        Part::Phrase(Phrase::Function("expand"), _),
+    ] = parts.as_slice()
     {
         parts.truncate(parts.len() - 2);
     }
@@ -319,10 +350,7 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
 /// The order to which a curve is continued, and how many control points that determines: continue 0, 1, 3 C^1, first two points.
 fn continuations(text: &str, parts: &mut Vec<Part>) {
     let own = |part: &Part| {
-        matches!(
-            part,
-            Part::Phrase(Phrase::Function("continuation") | Phrase::Command("continuation"), _)
-        )
+        matches!(part, Part::Phrase(Phrase::Function("continuation") | Phrase::Command("continuation"), _))
     };
     if !parts.iter().any(own) {
         return;
@@ -333,7 +361,9 @@ fn continuations(text: &str, parts: &mut Vec<Part>) {
         let piece = text.piece(span.range());
         let Some(word) = piece.split_whitespace().next_back().filter(|word| is_order(word)) else { continue };
         let Ok(number) = word.trim_start_matches(['C', 'G', '^']).parse::<i64>() else { return };
-        if word.starts_with('G') || order.is_some() {
+        // Geometric continuity does not determine the points.
+        if word.starts_with('G') {
+            parts.push(Part::Phrase(Phrase::Or, span));
             return;
         }
         order = Some(number);
@@ -352,8 +382,10 @@ fn continuations(text: &str, parts: &mut Vec<Part>) {
     if let Some(at) = parts.iter().skip(from).position(first) {
         parts.remove(from + at);
     }
-    if let Some(Part::Phrase(Phrase::Function("control_points" | "bezier_points") | Phrase::Label(Label::Points), _)) =
-        parts.last()
+    if let Some(Part::Phrase(
+        Phrase::Function("control_points" | "bezier_points") | Phrase::Label(Label::Points),
+        _,
+    )) = parts.last()
     {
         parts.pop();
     }
@@ -363,7 +395,8 @@ fn continuations(text: &str, parts: &mut Vec<Part>) {
 fn steps(parts: &mut [Part]) {
     for at in 0..parts.len().saturating_sub(1) {
         let label = at > 0 && matches!(parts[at - 1], Part::Phrase(Phrase::Label(_), _));
-        if let (Part::Piece(_), Part::Phrase(Phrase::Label(Label::Times), _), false) = (parts[at], parts[at + 1], label)
+        if let (Part::Piece(_), Part::Phrase(Phrase::Label(Label::Times), _), false) =
+            (parts[at], parts[at + 1], label)
             && at > 0
         {
             parts.swap(at, at + 1);
@@ -377,7 +410,8 @@ fn ends(parts: &mut Vec<Part>) {
         matches!(
             part,
             Part::Phrase(
-                Phrase::Command("part" | "elevate" | "reduce" | "insert_knots") | Phrase::Function("part" | "elevate" | "reduce"),
+                Phrase::Command("part" | "elevate" | "reduce" | "insert_knots")
+                    | Phrase::Function("part" | "elevate" | "reduce"),
                 _
             )
         )
@@ -385,7 +419,8 @@ fn ends(parts: &mut Vec<Part>) {
     let label = matches!(
         parts.last(),
         Some(Part::Phrase(
-            Phrase::Label(Label::Values | Label::Points) | Phrase::Function("control_points" | "bezier_points"),
+            Phrase::Label(Label::Values | Label::Points)
+                | Phrase::Function("control_points" | "bezier_points"),
             _
         ))
     );
@@ -414,7 +449,9 @@ fn of_derivative(parts: &mut Vec<Part>) {
 fn methods(parts: &mut Vec<Part>) {
     while let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Using, _))) {
         parts.remove(at);
-        let others = parts.iter().filter(|part| matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _)));
+        let others = parts
+            .iter()
+            .filter(|part| matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _)));
         if at > 0
             && matches!(
                 parts.get(at),
@@ -454,7 +491,9 @@ fn claimed_degree(text: &str, parts: &[Part]) -> Option<(Option<Part>, Part, Par
     }
     match rest {
         [quality @ Part::Phrase(Phrase::Degree(_), _)] => Some((degree, *list, *quality)),
-        [Part::Phrase(Phrase::Label(Label::OfDegree), _), quality @ Part::Piece(_)] => Some((degree, *list, *quality)),
+        [Part::Phrase(Phrase::Label(Label::OfDegree), _), quality @ Part::Piece(_)] => {
+            Some((degree, *list, *quality))
+        }
         _ => None,
     }
 }

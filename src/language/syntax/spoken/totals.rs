@@ -16,8 +16,10 @@ impl Reader<'_> {
             labels.push(Said { label: Label::OfDegree, what: What::Degree(degree) });
             self.at += 1;
         }
-        if let (BigOp::Sum, Some(Part::Phrase(Phrase::Function(function @ ("bernstein" | "bspline_basis")), phrase))) =
-            (op, self.next())
+        if let (
+            BigOp::Sum,
+            Some(Part::Phrase(Phrase::Function(function @ ("bernstein" | "bspline_basis")), phrase)),
+        ) = (op, self.next())
         {
             self.at += 1;
             while self.at_label()
@@ -40,7 +42,9 @@ impl Reader<'_> {
             matches!(part, Part::Phrase(Phrase::Function("in_bernstein" | "bernstein" | "bezier"), _))
         };
         let curves = self.parts.iter().any(own);
-        while curves && matches!(self.phrase(), Some(Phrase::Degree(_))) || self.next().as_ref().is_some_and(own) {
+        while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
+            || self.next().as_ref().is_some_and(own)
+        {
             self.at += 1;
         }
         let mut found = Vec::new();
