@@ -6,7 +6,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::judge::names::bases;
 use crate::language::eval::Equals;
-use crate::language::lexicon::asking;
+use crate::language::lexicon::wanted;
 
 impl Session {
     /// Solves what words say for the names that are asked for; `None` if the text is no such question.
@@ -21,10 +21,10 @@ impl Session {
 
     fn condition(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
         let text = file.slice(whole);
-        let (names, claim) = asking::asked_by_condition(text)?;
+        let (names, claim) = wanted::asked_by_condition(text)?;
         let names = self.names_in(file, names.shifted(whole.start))?;
         let place = claim.shifted(whole.start);
-        let (claim, order) = match asking::order_of_join(file.slice(place)) {
+        let (claim, order) = match wanted::order_of_join(file.slice(place)) {
             Some((start, end, geometric, order)) => {
                 // The order may stand anywhere in what is said; the words for a join are read with it.
                 let mut masked = file.text().as_bytes().to_vec();
@@ -71,7 +71,7 @@ impl Session {
         let text = file.slice(span);
         let mut found = Vec::new();
         let mut start = 0;
-        let ends: Vec<(usize, usize)> = asking::conjunctions(text)
+        let ends: Vec<(usize, usize)> = wanted::conjunctions(text)
             .into_iter()
             .chain(text.match_indices([',', ';']).map(|(at, sign)| (at, at + sign.len())))
             .collect();

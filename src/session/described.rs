@@ -6,7 +6,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
 use crate::language::eval::{Equals, Outcome};
 use crate::language::functions::function_called;
-use crate::language::lexicon::asking;
+use crate::language::lexicon::{asking, wanted};
 use crate::language::syntax;
 use crate::language::value::Value;
 
@@ -48,7 +48,7 @@ impl Session {
     /// The same, where the answer to the description is asked for, too: the polar form of t^3 and its value at (0, 1, 2).
     pub(super) fn described_and_asked(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
         let text = file.slice(whole);
-        let (end, start) = asking::and_its(text)?;
+        let (end, start) = wanted::and_its(text)?;
         let head = Span::new(whole.start, whole.start + end);
         let (object, _) = self.object(file, head)?;
         let rest = Span::new(whole.start + start, whole.end);
@@ -109,7 +109,7 @@ impl Session {
         if let Some(one) = self.question(file, text, object, name) {
             return Some(vec![one]);
         }
-        let mut cuts: Vec<(usize, usize)> = asking::conjunctions(file.slice(text));
+        let mut cuts: Vec<(usize, usize)> = wanted::conjunctions(file.slice(text));
         let stops = syntax::continuations(file.slice(text)).into_iter();
         cuts.extend(stops.filter_map(|stop| Some((stop.end, stop.rest(file.slice(text))?.start))));
         cuts.sort_unstable();

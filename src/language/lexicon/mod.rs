@@ -10,4 +10,5 @@ pub(crate) mod relations;
 pub(crate) mod roles;
 pub(crate) mod signs;
 pub(crate) mod topics;
+pub(crate) mod wanted;
 pub mod words;
