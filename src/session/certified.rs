@@ -96,7 +96,7 @@ impl Session {
             (None, Err(_)) => return Ok(None),
         };
         if let (Some([a, b]), None) = (&ends, found.region)
-            && !matches!(found.condition, Some(_))
+            && found.condition.is_none()
             && let Some(relation) = self.sign_over(&claimed, shape, [a, b], claim)
         {
             return self.evaluated_as(file, relation, whole, Equals::Claims).map(|answer| Some(vec![answer]));

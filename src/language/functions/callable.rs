@@ -1,6 +1,6 @@
 //! The functions of the table as the evaluator calls them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 
 use super::parameter::{Need, Parameter, Takes};
@@ -185,15 +185,26 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("catmull_clark", "vertex_matrix"),
 ];
 
+type Names = HashMap<&'static str, &'static str>;
+
+/// The first meaning of each name.
+fn by_name(names: &'static [(&str, &str)]) -> Names {
+    names.iter().rev().copied().collect()
+}
+
+static BY_ALIAS: LazyLock<Names> = LazyLock::new(|| by_name(ALIASES));
+
+static BY_SYNONYM: LazyLock<Names> = LazyLock::new(|| by_name(SYNONYMS));
+
 /// The function that somebody means by another name.
 pub(crate) fn synonym(name: &str) -> Option<&'static str> {
-    ALIASES.iter().chain(SYNONYMS).find(|(other, _)| *other == name).map(|(_, known)| *known)
+    BY_ALIAS.get(name).or_else(|| BY_SYNONYM.get(name)).copied()
 }
 
 /// The name of the function that is called so, by its own name or another one for it.
 pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     let own = builtin(name).map(|builtin| builtin.name);
-    own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
+    own.or_else(|| BY_ALIAS.get(name).copied())
 }
 
 /// Nouns that say nothing more behind the name of a function: the aitken scheme.
@@ -227,11 +238,11 @@ pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
         let plural = format!("{name}s");
         // A difference of two things is none of a list.
         let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST && name != "difference");
-        let other = || SYNONYMS.iter().find(|(other, _)| *other == name && !OF_SENTENCES.contains(other));
+        let other = || BY_SYNONYM.get(name).filter(|_| !OF_SENTENCES.contains(&name)).copied();
         singular
             .and_then(function_called)
             .or_else(|| plural.and_then(function_called))
-            .or_else(|| other().map(|(_, known)| *known))
+            .or_else(other)
             .or_else(|| {
                 let (inner, noun) = name.rsplit_once('_')?;
                 (NOUNS.contains(&noun) && inner.len() >= SHORTEST).then(|| function_called(inner))?

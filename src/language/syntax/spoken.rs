@@ -342,8 +342,8 @@ impl Reader<'_> {
             labels.push(Said { label, what: What::Degree(number) });
             self.at += 1;
             // one step of Chaikin's scheme
-            if label == Label::Times {
-                self.take(Phrase::Label(Label::Times));
+            if label == Label::Times && self.take(Phrase::Label(Label::Times)) {
+                while self.take(Phrase::Of) {}
             }
         }
         // a rational quadratic with points 0, 1, 3

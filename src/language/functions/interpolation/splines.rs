@@ -105,7 +105,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "bending_energy",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         common: &ONE_END,
-        on_curve: Variant::new(&[CURVE], |args| super::energy::bending(args)),
+        on_curve: Variant::new(&[CURVE], super::energy::bending),
         summary: "the integral of |S''|^2, which no interpolant makes smaller than the natural spline",
         example: "bending_energy([0, 1, 2], [0, 1, 0])",
         call: |_, args| Ok(Value::Scalar(Given::read(args)?.spline(args)?.bending_energy())),
