@@ -6,7 +6,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::judge::names::bases;
 use crate::language::eval::Equals;
-use crate::language::lexicon::wanted;
+use crate::language::lexicon::{roles, wanted};
 
 impl Session {
     /// Solves what words say for the names that are asked for; `None` if the text is no such question.
@@ -40,6 +40,7 @@ impl Session {
             None => (self.spoken(file, place).ok().flatten()?, None),
         };
         let list = |items: &[Expr]| Expr::new(Kind::List(items.to_vec()), whole);
+        let claim = called_at(claim, &names);
         match (&claim.kind, order) {
             (Kind::Chain(_, links), None) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]) => {
                 let inside = bases(&claim);
@@ -88,4 +89,19 @@ impl Session {
         }
         Some(found)
     }
+}
+
+/// A curve that is claimed to have a value, at the parameter that is asked for: for which t is the curve equal to 1?
+fn called_at(claim: Expr, names: &[Expr]) -> Expr {
+    let ([Expr { kind: Kind::Name(name), .. }], Kind::Chain(left, links)) = (names, &claim.kind) else {
+        return claim;
+    };
+    let curve = matches!(&left.kind, Kind::Apply(callee, _)
+        if matches!(&callee.kind, Kind::Name(own) if matches!(own.as_str(), "bezier" | "derivative")));
+    if !curve || !roles::is_variable(name) || bases(&claim).contains(name) {
+        return claim;
+    }
+    let span = claim.span;
+    let left = applied((**left).clone(), vec![names[0].clone()], left.span);
+    Expr::new(Kind::Chain(Box::new(left), links.clone()), span)
 }

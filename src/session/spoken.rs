@@ -174,6 +174,16 @@ impl Reader<'_> {
         }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
         self.find_subject(&mut asked);
+        // The antiderivative of a curve is a curve.
+        if let [Draft { builtin: curve, .. }, outer] = asked.drafts.as_mut_slice()
+            && (curve.name, outer.builtin.name) == ("bezier", "integrate")
+            && ["antideriv", "stammf", "primitiv"]
+                .iter()
+                .any(|word| self.file.slice(outer.phrase).to_lowercase().starts_with(word))
+            && let Some(primitive) = builtin("antiderivative")
+        {
+            outer.builtin = primitive;
+        }
         if let Some(difference) = self.divided_difference(&asked) {
             return Ok(Some(difference));
         }

@@ -334,7 +334,10 @@ impl Builtin {
         let expected = kinds.next() == Some(Takes::Points) && kinds.next() == Some(Takes::Scalar);
         let column = |value: &Value| matches!(value, Value::Matrix(column) if column.ncols() == 1);
         let lists = args.values().all(|value| matches!(value, Value::List(_)) || column(value));
-        if !expected || !lists || args.values().count() < 3 {
+        // bezier(0, 1, 4)
+        let numbers =
+            args.values().all(|value| matches!(value, Value::Scalar(_))) && args.values().count() > 1;
+        if !expected || !(lists && args.values().count() > 2 || numbers) {
             return args;
         }
         let span = args.span(0).to(args.span(args.len() - 1));

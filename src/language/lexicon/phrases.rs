@@ -41,6 +41,8 @@ pub(crate) enum Phrase {
     Is,
     /// Something has a value: equals.
     Equals,
+    /// Something has a value somewhere: takes the value.
+    Takes,
     /// Values are asked for: for which.
     Which,
     /// A place of a curve or a triangle: in the middle.

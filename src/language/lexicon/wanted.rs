@@ -217,3 +217,26 @@ pub(crate) fn order_of_join(text: &str) -> Option<(usize, usize, bool, i64)> {
     }
     None
 }
+
+/// Words between a question and the object that it is about.
+const FOR: &[&str] =
+    &["for", "where", "if", "of", "für", "wenn", "falls", "von", "pour", "si", "de", "para", "del", "per"];
+
+/// Where an object may begin behind what is asked about it: the end of the question, the start of the object.
+pub(crate) fn of_objects(text: &str) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    let mut before = ' ';
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        if depth == 0
+            && before.is_whitespace()
+            && at > 0
+            && let Some(length) = text.get(at..).and_then(|rest| starts_with_one_of(rest, FOR))
+        {
+            found.push((at, at + length));
+        }
+        before = c;
+    }
+    found
+}

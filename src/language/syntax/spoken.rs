@@ -211,7 +211,7 @@ impl Reader<'_> {
         }
         while let Some(next) = self.next() {
             match next {
-                Part::Phrase(Phrase::Equals | Phrase::Is, _) => break,
+                Part::Phrase(Phrase::Equals | Phrase::Takes | Phrase::Is, _) => break,
                 // a spline with control points 0, 1, 3
                 Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
                     let said = self.said()?;
@@ -421,7 +421,9 @@ impl Reader<'_> {
         loop {
             while self.take(Phrase::Of) {}
             match self.next() {
-                None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                None | Some(Part::Phrase(Phrase::Equals | Phrase::Takes | Phrase::Is, _)) => {
+                    return Some(None);
+                }
                 // bezier 0, 1, 3 at 1/2 and give the left part
                 Some(Part::Phrase(Phrase::Part(..), _)) if !labels.is_empty() => return Some(None),
                 // degree elevation twice: 1, 0, 1
@@ -447,9 +449,11 @@ impl Reader<'_> {
                     if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is | Phrase::Part(..), _)) => {
-                                Some(None)
-                            }
+                            None
+                            | Some(Part::Phrase(
+                                Phrase::Equals | Phrase::Takes | Phrase::Is | Phrase::Part(..),
+                                _,
+                            )) => Some(None),
                             // with control points 0, 3, 3 twice
                             Some(Part::Phrase(Phrase::Ordinal(_), _)) => continue,
                             Some(_) => self.subject().map(Some),

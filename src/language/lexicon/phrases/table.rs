@@ -409,9 +409,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Degree(1), "linear~ | linéaire~ | 线性"),
     (
         Degree(2),
-        "bilinear~ | bilinéaire~ | parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
+        "biquadratic~ | biquadratisch~ | biquadratique~ | bilinear~ | bilinéaire~ | parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
     ),
-    (Degree(3), "trilinear~ | trilinéaire~ | cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
+    (
+        Degree(3),
+        "bicubic~ | bikubisch~ | bicubique~ | trilinear~ | trilinéaire~ | cubic~ | kubisch~ | cubique~ | cúbic~ | 三次",
+    ),
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
@@ -500,7 +503,13 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Equals,
-        "equals | equal | be equal to | has value | has the value | have value | have the value | takes value | takes the value | take the value | hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | vaut | vaut elle | vaut il | tiene el valor | tiene valor | toma el valor | vale | ha il valore | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+        "equals | equal | be equal to | vaut | vaut elle | vaut il | vale | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+    ),
+    (
+        Phrase::Takes,
+        "has value | has the value | have value | have the value | takes value | takes the value | take the value | \
+         hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | tiene el valor | tiene valor | toma el valor | \
+         ha il valore",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (

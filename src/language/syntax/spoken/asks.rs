@@ -15,6 +15,7 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
             | Phrase::Total(_)
             | Phrase::Between(_)
             | Phrase::Which
+            | Phrase::Takes
             | Phrase::TrueDegree
             | Phrase::Uniform
             | Phrase::Equals => true,
@@ -117,6 +118,18 @@ impl Request {
             | Request::Added(_)
             | Request::Curves(_)
             | Request::Count(_) => None,
+        }
+    }
+
+    /// Whether a place is said.
+    pub(super) fn has_place(&self) -> bool {
+        let place = |said: &Said| said.label == Label::At;
+        match self {
+            Request::Formula(_, labels) => labels.iter().any(place),
+            Request::Call(call) => {
+                call.labels.iter().any(place) || call.subject.as_ref().is_some_and(|inner| inner.has_place())
+            }
+            _ => false,
         }
     }
 

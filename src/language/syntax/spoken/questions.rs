@@ -66,7 +66,8 @@ impl Reader<'_> {
         }
         let mut request = self.request()?;
         let mut equals = None;
-        if (self.take(Phrase::Equals) || self.take(Phrase::Is))
+        let takes = self.take(Phrase::Takes);
+        if (takes || self.take(Phrase::Equals) || self.take(Phrase::Is))
             && let Some(value) = match self.next() {
                 Some(Part::Piece(value)) => Some(What::Formula(value)),
                 Some(Part::Phrase(Phrase::Degree(degree), _)) => Some(What::Degree(degree)),
@@ -82,6 +83,10 @@ impl Reader<'_> {
             {
                 request.labels()?.extend(labels?);
             }
+        }
+        // Does it take the value 1? Somewhere, not everywhere.
+        if takes && !request.has_place() {
+            return None;
         }
         (!asks || equals.is_some()).then_some(Asked { request, equals })
     }
