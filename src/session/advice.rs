@@ -152,7 +152,8 @@ impl Session {
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
         // over Q
         let short = |piece: &&Span| piece.len() > 1 || text.piece(piece.range()).contains(char::is_numeric);
-        let alone = found.pieces.iter().filter(short).count() == 1
+        let alone = found.functions.len() < 2
+            && found.pieces.iter().filter(short).count() == 1
             && !found.unknown.iter().any(|span| matters(text, *span));
         // Several words side by side say more than one of them.
         for advice in about {
@@ -413,6 +414,7 @@ impl Session {
                 }
                 Phrase::Label(Label::Knots) => Meant::Likely("bspline"),
                 Phrase::Label(_) => Meant::Label,
+                Phrase::First(_) => Meant::Unknown,
                 Phrase::Multiaffine => Meant::Likely("laws"),
                 Phrase::Which => Meant::Likely("solve"),
                 _ => Meant::Known,

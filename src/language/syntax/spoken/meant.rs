@@ -12,6 +12,7 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     ends(&mut parts);
     of_derivative(&mut parts);
     basis_function(text, &mut parts);
+    of_points(&mut parts);
     properties(&mut parts);
     steps(&mut parts);
     curves(text, &mut parts);
@@ -294,6 +295,14 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
         parts.retain(|part| !curve(part));
         return;
     }
+    // A vector is normalised in another way.
+    if !of_weights
+        && let Some(Part::Phrase(phrase @ Phrase::Command("standard_form"), _)) =
+            parts.iter_mut().find(|part| matches!(part, Part::Phrase(Phrase::Command("standard_form"), _)))
+    {
+        *phrase = Phrase::Or;
+        return;
+    }
     let rational = of_weights || parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Rational, _)));
     if let (Some(Part::Phrase(Phrase::Function("expand"), span)), true) = (parts.first().copied(), rational)
         && text.piece(span.range()).to_lowercase().starts_with("standard")
@@ -510,5 +519,31 @@ fn uniform_knots(parts: &mut Vec<Part>) {
         if at > 0 && matches!(parts[at - 1], Part::Phrase(Phrase::Label(Label::With), _)) {
             parts.remove(at - 1);
         }
+    }
+}
+
+/// The largest of the control points is no value of their curve.
+fn of_points(parts: &mut Vec<Part>) {
+    let at = (0..parts.len()).find(|at| {
+        matches!(
+            parts.get(*at..*at + 4),
+            Some([
+                Part::Phrase(
+                    Phrase::Function("maximum" | "minimum" | "max" | "min")
+                        | Phrase::Command("maximum" | "minimum" | "max" | "min"),
+                    _
+                ),
+                Part::Phrase(Phrase::Of, _),
+                Part::Phrase(
+                    Phrase::Label(Label::Points)
+                        | Phrase::Function("control_points" | "bezier_points" | "in_bernstein"),
+                    _
+                ),
+                Part::Piece(_),
+            ])
+        )
+    });
+    if let Some(at) = at {
+        parts.remove(at + 2);
     }
 }
