@@ -326,6 +326,9 @@ impl Session {
         if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
+        if let Some(problem) = doubtful::touching_list(&statement) {
+            return Err(Box::new(Failure { problem, file: file.clone() }));
+        }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);

@@ -158,6 +158,17 @@ impl Reader<'_> {
                     _ => None,
                 });
             }
+            // the Newton form for 1, 3, 11 at 0, 1, 2
+            let of_data =
+                |draft: &Draft| matches!(draft.builtin.name, "newton" | "lagrange" | "divided_differences");
+            if asked.items.is_empty()
+                && asked.drafts.iter().any(of_data)
+                && let [Read { label: Label::With, items }, Read { label: Label::At, .. }] =
+                    asked.said.as_slice()
+                && items.len() > 1
+            {
+                asked.items = asked.said.remove(0).items;
+            }
             if let [innermost] = asked.drafts.as_slice()
                 && let Some((meant, used)) =
                     apposition::meant(innermost, &asked.items, &asked.said, &self.session.env, self.topic)

@@ -93,7 +93,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 "the end of the next interval",
             ),
         ],
-        summary: "the first k + 1 control points of any curve of its degree that follows it and joins it C^k",
+        summary: "the first k + 1 control points of a curve of its degree that joins its end C^k",
         example: "continuation(bezier([0, 1, 3, 4]), 2)",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;

@@ -463,10 +463,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Phrase::First(3), "first three | ersten drei | trois premiers | tres primeros | 前三个"),
     (Phrase::First(4), "first four | ersten vier | quatre premiers | cuatro primeros | 前四个"),
-    (
-        Phrase::Uniform,
-        "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | uniforme~ | 均匀",
-    ),
+    (Phrase::Uniform, "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | 均匀"),
     (Phrase::Curve, "curve | curve with | kurve | courbe | curva~ | 曲线"),
     (Phrase::Apply, "apply | wende | appliquer | applique | aplicar | aplica | applica"),
     (
