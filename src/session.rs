@@ -7,8 +7,10 @@ mod advice;
 mod certified;
 mod clauses;
 mod completion;
+mod condition;
 mod counterexamples;
 mod data;
+mod described;
 mod foreign;
 mod given;
 mod habits;
@@ -155,6 +157,12 @@ impl Session {
             Ok(answers) => return Ok(answers),
             Err(failure) => failure,
         };
+        if let Some(answers) = self.run_condition(file, whole)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_described(file, whole, equals)? {
+            return Ok(answers);
+        }
         let failure = match self.run_line(file, whole, equals) {
             Ok(Some(answers)) => return Ok(answers),
             Ok(None) => failure,
@@ -236,6 +244,12 @@ impl Session {
             }
             None => None,
         };
+        if certified.is_none()
+            && let Some(questions) = self.described_and_asked(file, whole)
+        {
+            let answer = |(formula, place)| self.evaluated_as(file, formula, place, equals);
+            return questions.into_iter().map(answer).collect();
+        }
         let formula = match certified {
             Some(formula) => Some(formula),
             None => self.spoken(file, whole)?,
@@ -310,6 +324,9 @@ impl Session {
         statement = with_arguments;
         let known = |name: &str| defines(&self.env, name);
         if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
+            return Err(Box::new(Failure { problem, file: file.clone() }));
+        }
+        if let Some(problem) = doubtful::touching_list(&statement) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {

@@ -4,6 +4,7 @@ use super::names::{has_free, own_names};
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Quotient};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::write::text;
 
 /// Remarks about products that are read in two ways: `3/7 t` and `d/dt F d/dt G` in print, `a/2b` in plain notation.
 pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
@@ -107,6 +108,35 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
         );
     }
     expr.for_each_child(&mut |child| products(child, latex, notes));
+}
+
+/// What to write for a list of numbers that touches a power or a parenthesis before it: x^3[0, 1, 2] may be a divided
+/// difference or a product.
+pub(crate) fn touching_list(expr: &Expr) -> Option<Diagnostic> {
+    if let Kind::Mul(factors) = &expr.kind {
+        let found = factors.windows(2).find(|pair| {
+            let before = matches!(pair[0].kind, Kind::Pow(..) | Kind::Group(_));
+            let letters = pair[0].has(&|part| matches!(part.kind, Kind::Name(_)));
+            before && letters && is_list_of_numbers(&pair[1]) && pair[0].span.end == pair[1].span.start
+        });
+        if let Some([before, list]) = found {
+            let at = factors.iter().position(|factor| factor.span == list.span).unwrap_or(1);
+            let function = match (&before.kind, at) {
+                (Kind::Group(inner), 1) => text(inner),
+                _ => text(&Expr::product(factors.iter().take(at).cloned().collect())),
+            };
+            let nodes = list.items().unwrap_or_default().iter().map(text).collect::<Vec<_>>().join(", ");
+            let problem = Diagnostic::error(Code::AmbiguousProduct, "a divided difference, or a product?")
+                .at(before.span.to(list.span))
+                .reason("a list of numbers directly after a formula")
+                .hint(format!("ask in words for the first: divided difference of {function} at {nodes}"))
+                .hint(format!("for the product write * between them: {} * {}", text(before), text(list)));
+            return Some(problem);
+        }
+    }
+    let mut found = None;
+    expr.for_each_child(&mut |child| found = found.take().or_else(|| touching_list(child)));
+    found
 }
 
 fn is_list_of_numbers(expr: &Expr) -> bool {

@@ -54,7 +54,7 @@ pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnos
         }
     }
     if judgement.verdict == Verdict::Undecided && judgement.reasons.is_empty() {
-        judgement.reasons.push("it depends on the values of the symbols".to_owned());
+        judgement.reasons.push("it was not decided for all values of the symbols".to_owned());
     }
     Ok(judgement)
 }

@@ -19,6 +19,15 @@ use crate::language::write;
 /// How many queries are proposed.
 const MOST: usize = 3;
 
+/// Examples for words that any question may have: value, sum, such.
+const GENERAL: &[&str] = &[
+    "t^3 - 2t at t = 2",
+    "[1, 2; 3, 4]",
+    "solve(a + 3 = 0, a)",
+    "bezier([1, 0, 0, 1])(t)",
+    "length([1, 2, 3])",
+];
+
 /// Shorter unknown words may be products of letters.
 const SHORTEST_WORD: usize = 4;
 
@@ -141,6 +150,11 @@ impl Session {
         let read = |piece: &Span| self.piece(file, at(*piece));
         let pieces: Vec<Expr> = found.pieces.iter().filter_map(read).collect();
         let items: Vec<Expr> = found.objects.iter().filter_map(read).collect();
+        // over Q
+        let short = |piece: &&Span| piece.len() > 1 || text.piece(piece.range()).contains(char::is_numeric);
+        let alone = found.functions.len() < 2
+            && found.pieces.iter().filter(short).count() == 1
+            && !found.unknown.iter().any(|span| matters(text, *span));
         // Several words side by side say more than one of them.
         for advice in about {
             match advice {
@@ -150,7 +164,7 @@ impl Session {
                     None => (false, query.to_owned()),
                 }),
                 Advice::Function(_) if read_without => {}
-                Advice::Function(name) => proposed.extend(self.example(name, &items)),
+                Advice::Function(name) => proposed.extend(self.example(name, &items, alone)),
                 Advice::Say(advice) => said.push(advice),
             }
         }
@@ -160,14 +174,18 @@ impl Session {
         let own: Vec<(bool, String)> = functions
             .iter()
             .filter(|_| !read_without)
-            .filter_map(|name| self.example(name, &items))
+            .filter_map(|name| self.example(name, &items, alone))
             .collect();
         if proposed.is_empty() && own.is_empty() && said.is_empty() {
-            proposed.extend(found.likely.and_then(|name| self.example(name, &items)));
+            proposed.extend(found.likely.and_then(|name| self.example(name, &items, alone)));
         }
         // What words of requests name is surer.
         let place = usize::from(!proposed.is_empty());
         proposed.splice(place..place, own);
+        // What any question has to do with is no help where words name more.
+        if proposed.iter().any(|(own, query)| *own || !GENERAL.contains(&query.as_str())) {
+            proposed.retain(|(own, query)| *own || !GENERAL.contains(&query.as_str()));
+        }
         let mut seen = BTreeSet::new();
         proposed.retain(|query| seen.insert(query.clone()));
         for (own, query) in proposed.into_iter().take(MOST) {
@@ -230,6 +248,10 @@ impl Session {
             }
             return None;
         }
+        // What changes the question cannot be left out: the true degree, the support of a spline, not, only.
+        if found.unknown.iter().any(|span| matters(text, *span)) {
+            return None;
+        }
         // One word, or words side by side.
         let between = |pair: &[Span]| text.piece(pair[0].end..pair[1].start).trim().is_empty();
         if !found.unknown.windows(2).all(between) {
@@ -270,9 +292,10 @@ impl Session {
     }
 
     /// A call of a function with what is there, or its own example.
-    fn example(&self, name: &str, items: &[Expr]) -> Option<(bool, String)> {
+    fn example(&self, name: &str, items: &[Expr], alone: bool) -> Option<(bool, String)> {
         let function = builtin(name)?;
-        let fitting = items.iter().find(|item| takes(function, item)).cloned();
+        // What leaves something out is another question.
+        let fitting = items.iter().find(|item| takes(function, item)).filter(|_| alone).cloned();
         let own = fitting.and_then(|item| self.tried(call(function.name, vec![item], Span::default())));
         Some(match own {
             Some(query) => (true, query),
@@ -385,11 +408,13 @@ impl Session {
                 | Phrase::Command(function)
                 | Phrase::Part(function, _)
                 | Phrase::Between(function) => Meant::Function(function),
-                Phrase::Label(Label::Points | Label::Weights) | Phrase::Rational | Phrase::Degree(2..) => {
+                Phrase::Label(Label::Weights) => Meant::Label,
+                Phrase::Label(Label::Points) | Phrase::Rational | Phrase::Degree(2..) => {
                     Meant::Likely("bezier")
                 }
                 Phrase::Label(Label::Knots) => Meant::Likely("bspline"),
                 Phrase::Label(_) => Meant::Label,
+                Phrase::First(_) => Meant::Unknown,
                 Phrase::Multiaffine => Meant::Likely("laws"),
                 Phrase::Which => Meant::Likely("solve"),
                 _ => Meant::Known,
@@ -419,6 +444,32 @@ impl Session {
         let greek = letters::sign(word).is_some();
         let long = word.chars().count() >= SHORTEST_WORD || leads && word.chars().count() > 2;
         (long && !greek).then_some((length, Meant::Unknown))
+    }
+}
+
+/// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
+fn matters(text: &str, span: Span) -> bool {
+    const DENYING: &[&str] = &[
+        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean",
+        "average", "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte",
+        "erste", "mittlere", "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
+    ];
+    if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
+        return true;
+    }
+    match phrase(text.piece(span.end..).trim_start(), &|name| function_called(name)) {
+        Some((said, _)) => matches!(
+            said,
+            Phrase::Of
+                | Phrase::Function(_)
+                | Phrase::Command(_)
+                | Phrase::Part(..)
+                | Phrase::Degree(_)
+                | Phrase::Rational
+                | Phrase::Uniform
+                | Phrase::Curve
+        ),
+        None => false,
     }
 }
 

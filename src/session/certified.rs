@@ -27,9 +27,17 @@ impl Session {
             guarded(&self.limits, || read_in(&self.env, file, Some(span)))
                 .map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
         };
-        let Ok(claimed) = read(place(claim)) else { return Ok(None) };
+        let (claimed, region_of_object) = match (self.object_claimed(file, place(claim)), read(place(claim)))
+        {
+            (Some((claimed, ends)), _) => (claimed, Some(ends)),
+            (None, Ok(claimed)) => (claimed, None),
+            (None, Err(_)) => return Ok(None),
+        };
         let Some(function) = function(claimed, shape) else { return Ok(None) };
         let Some(region) = region else {
+            if let Some([a, b]) = region_of_object {
+                return Ok(Some(call("positivity", vec![function, a, b], whole)));
+            }
             // Over all numbers.
             return Ok(Some(call("positivity", vec![function], whole)));
         };
@@ -52,6 +60,26 @@ impl Session {
 }
 
 impl Session {
+    /// The Bézier polynomial that words describe, at a parameter, and the interval over which it is given.
+    fn object_claimed(&self, file: &SourceFile, claim: Span) -> Option<(Expr, [Expr; 2])> {
+        // A polygon is none of its curve.
+        let text = file.slice(claim).to_lowercase();
+        if ["polygon", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)) {
+            return None;
+        }
+        let object = self.spoken_data(file, claim)?;
+        let Kind::Apply(callee, groups) = &object.kind else { return None };
+        if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
+            return None;
+        }
+        let ends = match groups.first()?.as_slice() {
+            [_] => [Expr::int(0), Expr::int(1)],
+            [_, a, b] => [a.clone(), b.clone()],
+            _ => return None,
+        };
+        Some((applied(object.clone(), vec![Expr { span: claim, ..Expr::name("t") }], claim), ends))
+    }
+
     /// Judges what is said of the sign of a function, as the relation that says it: `t^2 + 1 is positive for all t`.
     pub(super) fn run_relation(
         &mut self,
@@ -62,7 +90,17 @@ impl Session {
     ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
         let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
         let claim = place(found.claim);
-        let Ok(claimed) = self.read(file, claim) else { return Ok(None) };
+        let (claimed, ends) = match (self.object_claimed(file, claim), self.read(file, claim)) {
+            (Some((claimed, ends)), _) => (claimed, Some(ends)),
+            (None, Ok(claimed)) => (claimed, None),
+            (None, Err(_)) => return Ok(None),
+        };
+        if let (Some([a, b]), None) = (&ends, found.region)
+            && found.condition.is_none()
+            && let Some(relation) = self.sign_over(&claimed, shape, [a, b], claim)
+        {
+            return self.evaluated_as(file, relation, whole, Equals::Claims).map(|answer| Some(vec![answer]));
+        }
         if matches!(claimed.kind, Kind::Chain(..) | Kind::Sequence(_)) {
             return Ok(None);
         }
@@ -97,6 +135,22 @@ impl Session {
             first.outcome.notes.insert(0, note);
         }
         Ok(Some(answers))
+    }
+}
+
+impl Session {
+    /// A strict claim on an interval by the least or largest value there: minimum(F, 0, 1) > 0.
+    fn sign_over(&self, claimed: &Expr, shape: Shape, [a, b]: [&Expr; 2], span: Span) -> Option<Expr> {
+        let function =
+            (0..shape.order).fold(claimed.clone(), |function, _| call("diff", vec![function], span));
+        let extreme = match shape.relation() {
+            Rel::Gt | Rel::Ge => "minimum",
+            Rel::Lt | Rel::Le => "maximum",
+            _ => return None,
+        };
+        let value = call(extreme, vec![function, a.clone(), b.clone()], span);
+        let zero = Expr { span, ..Expr::int(0) };
+        Some(Expr { span, ..Expr::relation(value, shape.relation(), zero) })
     }
 }
 

@@ -32,7 +32,7 @@ impl Session {
             if !mentions(file.slice(rest), clause.name) {
                 continue;
             }
-            let Some(formula) = self.spoken(file, head)? else { continue };
+            let Ok(Some(formula)) = self.spoken(file, head) else { continue };
             let mut there = self.clone();
             let defined = there.evaluated(file, define(formula), Equals::DefinesUnbound, false)?;
             let mut answers = there.run_part(file, rest, equals)?;
@@ -58,7 +58,7 @@ impl Session {
         equals: Equals,
     ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
         let masked = syntax::without_text_commands(file.slice(whole));
-        let words = ["where", "wobei", "où"].into_iter();
+        let words = ["where", "wobei", "où", "if", "wenn", "falls", "si"].into_iter();
         let Some(at) = words.filter_map(|word| masked.find(&format!(" {word} "))).min() else {
             return Ok(None);
         };

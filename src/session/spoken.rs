@@ -3,11 +3,15 @@
 //! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
 //! are put into the result.
 
+mod applied;
 mod apposition;
 mod draft;
+mod knots;
+mod laws;
 mod lists;
 mod notations;
 mod objects;
+mod reading;
 mod taking;
 mod utterance;
 mod values;
@@ -17,16 +21,14 @@ use self::utterance::Utterance;
 use self::values::{Nature, Values, value_of};
 use std::cell::Cell;
 
-use super::foreign::as_list;
-use super::given::each_equal;
-use super::{Failure, Session, defines, guarded, items_in, read_in};
+use super::{Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
+use crate::formula::{Expr, Kind, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::{Label, Place};
-use crate::language::lexicon::roles;
+use crate::language::lexicon::{fractions, roles};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
@@ -44,6 +46,11 @@ impl Session {
         self.spoken_about(file, whole, None).map(|found| found.map(|(formula, _)| formula))
     }
 
+    /// The same, where data alone describe a curve: b0 = 1, b1 = 3, b2 = 1.
+    pub(super) fn spoken_data(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
+        self.spoken_as(file, whole, None, true).ok().flatten().map(|(formula, _)| formula)
+    }
+
     /// The same, where a name is known that all is about: F(t) = t^2, what is its derivative? Tells whether it was needed.
     pub(super) fn spoken_about(
         &self,
@@ -51,8 +58,25 @@ impl Session {
         whole: Span,
         topic: Option<&Expr>,
     ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
+        self.spoken_as(file, whole, topic, topic.is_some())
+    }
+
+    fn spoken_as(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        topic: Option<&Expr>,
+        about: bool,
+    ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
+        // at one third
+        let masked = fractions::with_digits(file.slice(whole)).map(|text| {
+            let mut all = file.text().to_owned();
+            all.replace_range(whole.range(), &text);
+            SourceFile::new(file.name(), all)
+        });
+        let file = masked.as_ref().unwrap_or(file);
         let known = |word: &str| defines(&self.env, word);
-        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words, about) else {
             return Ok(None);
         };
         let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
@@ -79,12 +103,23 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
         // u v is a product here, no list.
-        let claimed = equals.map(|span| self.one(span)).transpose()?;
+        let claimed = match equals {
+            Some(What::Formula(span)) => Some(self.with_products(self.one(span)?)),
+            Some(What::Degree(number)) => Some(Expr::int(number)),
+            _ => None,
+        };
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
         }
+        if let Some(laws) = claimed.as_ref().and_then(|claimed| self.is_form_of(claimed, &asked)) {
+            return Ok(Some(laws));
+        }
+        if let Some(problem) = self.of_polygon(&asked) {
+            return Err(self.fail(problem));
+        }
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
+        self.only_basis_function(&mut asked);
         asked.settle();
         apposition::has_rows(&asked.drafts, &asked.items).map_err(|problem| self.fail(problem))?;
         if let Some(whole) = asked.whole() {
@@ -92,8 +127,22 @@ impl Reader<'_> {
         }
         asked.put_into_notations();
         if asked.formula.is_none() {
+            if asked.drafts.is_empty()
+                && asked.items.is_empty()
+                && asked.said.iter().all(|read| read.label == Label::At)
+                && let Some(topic) = self.topic
+            {
+                self.used_topic.set(true);
+                asked.items.push(topic.clone());
+            }
             // compute 3 + 4
             if asked.drafts.is_empty() {
+                if let ([one], [Read { label: Label::Times, items }]) =
+                    (asked.items.as_slice(), asked.said.as_slice())
+                    && let [count] = items.as_slice()
+                {
+                    return Ok(applied::repeated(one, count));
+                }
                 return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
                     ([one], []) => Some(match claimed {
                         Some(right) => equation(one.clone(), right),
@@ -109,18 +158,43 @@ impl Reader<'_> {
                     _ => None,
                 });
             }
+            // the Newton form for 1, 3, 11 at 0, 1, 2
+            let of_data =
+                |draft: &Draft| matches!(draft.builtin.name, "newton" | "lagrange" | "divided_differences");
+            if asked.items.is_empty()
+                && asked.drafts.iter().any(of_data)
+                && let [Read { label: Label::With, items }, Read { label: Label::At, .. }] =
+                    asked.said.as_slice()
+                && items.len() > 1
+            {
+                asked.items = asked.said.remove(0).items;
+            }
             if let [innermost] = asked.drafts.as_slice()
                 && let Some((meant, used)) =
-                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env)
+                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env, self.topic)
             {
+                self.used_topic.set(self.topic.is_some());
                 asked.said.drain(..used);
                 asked.formula = Some(meant);
                 asked.drafts.clear();
                 return self.assembled(asked, claimed);
             }
         }
+        if let Some(diagonal) = self.on_diagonal(&asked)? {
+            return Ok(Some(diagonal));
+        }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
         self.find_subject(&mut asked);
+        // The antiderivative of a curve is a curve.
+        if let [Draft { builtin: curve, .. }, outer] = asked.drafts.as_mut_slice()
+            && (curve.name, outer.builtin.name) == ("bezier", "integrate")
+            && ["antideriv", "stammf", "primitiv"]
+                .iter()
+                .any(|word| self.file.slice(outer.phrase).to_lowercase().starts_with(word))
+            && let Some(primitive) = builtin("antiderivative")
+        {
+            outer.builtin = primitive;
+        }
         if let Some(difference) = self.divided_difference(&asked) {
             return Ok(Some(difference));
         }
@@ -179,8 +253,12 @@ impl Reader<'_> {
                     (labels, phrase)
                 }
                 Request::Formula(spans, labels) => {
+                    let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
                     for span in spans {
-                        asked.items.extend(self.items(span)?);
+                        match self.in_brackets(span).filter(|_| polar) {
+                            Some(value) => asked.items.push(value?),
+                            None => asked.items.extend(self.items(span)?),
+                        }
                     }
                     (labels, Span::default())
                 }
@@ -189,9 +267,20 @@ impl Reader<'_> {
                     asked.items.extend(curves);
                     (Vec::new(), Span::default())
                 }
-                Request::Joined(op, spans) => {
-                    let Some(joined) = self.joined(op, spans)? else { return Ok(None) };
+                Request::Joined(op, spans, curves) => {
+                    let Some(joined) = self.joined(op, spans, curves)? else { return Ok(None) };
                     asked.items.push(joined);
+                    (Vec::new(), Span::default())
+                }
+                Request::Count(count) => {
+                    asked.items.push(self.count(&count)?);
+                    (Vec::new(), Span::default())
+                }
+                Request::Added(own) => {
+                    let whole = Asked { request: Request::Call(own), equals: None };
+                    let Some(functions) = self.formula(whole)? else { return Ok(None) };
+                    let span = functions.span;
+                    asked.items.push(call("sum", vec![functions], span));
                     (Vec::new(), Span::default())
                 }
                 Request::Total(total) => {
@@ -243,7 +332,15 @@ impl Reader<'_> {
             && let Some(name) = self.topic
         {
             self.used_topic.set(true);
-            asked.items.push(Expr { span: innermost.phrase, ..name.clone() });
+            let topic = Expr { span: innermost.phrase, ..name.clone() };
+            // What words describe is inside of the functions as any other object.
+            match &name.kind {
+                Kind::Name(_) => asked.items.push(topic),
+                _ => {
+                    asked.formula = Some(topic);
+                    return;
+                }
+            }
         }
         if innermost.wants_curve(&asked.items)
             && let Some(bezier) = builtin("bezier")
@@ -314,6 +411,21 @@ impl Reader<'_> {
         }))
     }
 
+    /// The length of a control polygon is none of its curve.
+    fn of_polygon(&self, asked: &Utterance) -> Option<Diagnostic> {
+        let draft = asked.drafts.iter().find(|draft| draft.builtin.name == "arc_length")?;
+        let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
+        ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(
+            || {
+                Diagnostic::error(Code::Usage, "the length of the polygon, or of its curve?")
+                    .at(draft.phrase)
+                    .reason("a polygon is as long as its edges together")
+                    .hint("of the polygon: sum([norm(v) for v = differences([(0, 0), (3, 4), (3, 6)])])")
+                    .hint("of the curve: arc_length(bezier([(0, 0), (3, 4), (3, 6)]))")
+            },
+        )
+    }
+
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {
         Box::new(Failure { problem, file: self.file.clone() })
     }
@@ -381,7 +493,7 @@ impl Reader<'_> {
         else {
             return None;
         };
-        let at = matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over);
+        let at = matches!(read.label, Label::At | Label::Nodes | Label::Knots | Label::With | Label::Over);
         if builtin.name != "divided_differences" || !at {
             return None;
         }
@@ -465,73 +577,6 @@ impl Reader<'_> {
             }
             _ => Nature::Other,
         }
-    }
-
-    /// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
-    fn of_definition(&self, item: Expr) -> Expr {
-        let Kind::Chain(left, links) = &item.kind else { return item };
-        let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
-        let head = match &left.kind {
-            Kind::Apply(callee, groups) => {
-                letter(callee)
-                    && !matches!(&callee.kind, Kind::Name(name) if defines(&self.session.env, name))
-                    && matches!(groups.as_slice(), [one] if one.iter().all(letter))
-            }
-            _ => false,
-        };
-        match links.as_slice() {
-            [Link { rel: Rel::Eq | Rel::Define, expr, .. }] if head => expr.clone(),
-            _ => item,
-        }
-    }
-
-    fn one(&self, span: Span) -> Result<Expr, Box<Failure>> {
-        let session = self.session;
-        guarded(&session.limits, || read_in(&session.env, self.file, Some(span.shifted(self.start))))
-            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
-    }
-
-    fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {
-        let span = span.shifted(self.start);
-        let session = self.session;
-        // x: 0 1 3
-        let text = self.file.slice(span);
-        if let Some((name, list)) = text.split_once(": ")
-            && name.trim_end().chars().count() == 1
-            && name.starts_with(char::is_alphabetic)
-        {
-            let start = span.end - list.len();
-            let items =
-                guarded(&session.limits, || items_in(&session.env, self.file, Span::new(start, span.end)))
-                    .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))?;
-            let letter = Expr {
-                span: Span::new(span.start, span.start + name.trim_end().len()),
-                ..Expr::name(name.trim_end())
-            };
-            let list = Expr::new(Kind::List(items), Span::new(start, span.end));
-            return Ok(vec![Expr { span, ..Expr::relation(letter, Rel::Eq, list) }]);
-        }
-        // 10,20 40,80 80,80
-        let pairs = lists::pairs(text);
-        if !pairs.is_empty() {
-            let read = |(start, end): (usize, usize)| {
-                let place = Span::new(span.start + start, span.start + end);
-                let read = guarded(&session.limits, || items_in(&session.env, self.file, place));
-                read.map(|items| Expr::new(Kind::Tuple(items), place)).map_err(|problem| self.fail(problem))
-            };
-            return pairs.into_iter().map(read).collect();
-        }
-        // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
-        let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));
-        let named = self.file.slice(span).contains(char::is_alphabetic);
-        guarded(&session.limits, || items_in(&session.env, self.file, span))
-            .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
-            .map(|items| {
-                // u = v = 1/2
-                let items = items.into_iter().flat_map(each_equal);
-                items.map(|item| as_list(self.of_definition(item))).collect()
-            })
-            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }
 

@@ -63,7 +63,7 @@ impl Session {
             return line;
         };
         // What words ask for; formulas side by side are statements.
-        if !matches!(self.spoken(file, whole), Ok(Some(_))) {
+        if !matches!(self.spoken(file, whole), Ok(Some(_))) && self.described(file, whole).is_none() {
             return line;
         }
         let mut there = self.clone();

@@ -99,6 +99,10 @@ impl Session {
         let definition = definition(&conditions, polynomial, letter, whole);
         let note = read_as(&definition, whole);
         let mut answers = vec![there.evaluated(file, definition, Equals::DefinesUnbound, false)?];
+        if let Some(form) = unknown.form {
+            let name = Expr { span: whole, ..Expr::name(conditions[0].name.as_str()) };
+            answers = vec![there.evaluated(file, call(form, vec![name], whole), Equals::Claims, false)?];
+        }
         if let Some(asked) = unknown.asked {
             answers = there.run_part(file, asked.shifted(whole.start), equals)?;
         }

@@ -231,7 +231,7 @@ const REASONS = {
     ["it says that letters commute: they may be no numbers", "它说字母可交换:它们也许不是数"],
     ["its letters may be no numbers", "其中的字母也许不是数"],
     ["it defines its left side", "它定义了左边"],
-    ["it depends on the values of the symbols", "取决于符号的值"],
+    ["it was not decided for all values of the symbols", "未能对符号的所有取值作出判定"],
     ["it seems true of integers, not of polynomials", "似乎对整数成立,对多项式则不然"],
     ["it is true of polynomials, not of all integers", "对多项式成立,但并非对所有整数"],
     ["it is defined for other numbers only", "它只对别的数有定义"],

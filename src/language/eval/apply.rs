@@ -480,7 +480,7 @@ impl Machine {
                 match (named(item), &item.kind) {
                     (Some((name, value)), _) => {
                         let given = self.eval_or_word(value, function, Slot::Name(&name))?;
-                        all.push_named(name, given, value.span);
+                        all.push_written(item, name, given, value.span);
                     }
                     (None, Kind::Chain(left, links))
                         if function.takes_values()

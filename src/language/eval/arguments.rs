@@ -47,6 +47,8 @@ pub struct Arguments {
     named: Vec<(String, Value, Span)>,
     /// Values of names with indices: c_0=1.
     indexed: Vec<(Symbol, Value, Span)>,
+    /// Where the names stand, if they are written down.
+    name_spans: Vec<(String, Span)>,
 }
 
 impl Arguments {
@@ -56,6 +58,21 @@ impl Arguments {
 
     pub(crate) fn push_named(&mut self, name: String, value: Value, span: Span) {
         self.named.push((name, value, span));
+    }
+
+    /// An argument as it is written, with the place of its name.
+    pub(crate) fn push_written(&mut self, written: &Expr, name: String, value: Value, span: Span) {
+        if let Kind::Chain(left, _) = &written.kind
+            && !left.span.is_empty()
+        {
+            self.name_spans.push((name.clone(), left.span));
+        }
+        self.push_named(name, value, span);
+    }
+
+    /// Where a name stands.
+    pub(crate) fn span_of_name(&self, name: &str) -> Option<Span> {
+        self.name_spans.iter().find(|(own, _)| own == name).map(|(_, span)| *span)
     }
 
     pub(crate) fn push_indexed(&mut self, name: Symbol, value: Value, span: Span) {

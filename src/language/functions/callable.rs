@@ -1,6 +1,6 @@
 //! The functions of the table as the evaluator calls them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 
 use super::parameter::{Need, Parameter, Takes};
@@ -185,15 +185,26 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("catmull_clark", "vertex_matrix"),
 ];
 
+type Names = HashMap<&'static str, &'static str>;
+
+/// The first meaning of each name.
+fn by_name(names: &'static [(&str, &str)]) -> Names {
+    names.iter().rev().copied().collect()
+}
+
+static BY_ALIAS: LazyLock<Names> = LazyLock::new(|| by_name(ALIASES));
+
+static BY_SYNONYM: LazyLock<Names> = LazyLock::new(|| by_name(SYNONYMS));
+
 /// The function that somebody means by another name.
 pub(crate) fn synonym(name: &str) -> Option<&'static str> {
-    ALIASES.iter().chain(SYNONYMS).find(|(other, _)| *other == name).map(|(_, known)| *known)
+    BY_ALIAS.get(name).or_else(|| BY_SYNONYM.get(name)).copied()
 }
 
 /// The name of the function that is called so, by its own name or another one for it.
 pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     let own = builtin(name).map(|builtin| builtin.name);
-    own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
+    own.or_else(|| BY_ALIAS.get(name).copied())
 }
 
 /// Nouns that say nothing more behind the name of a function: the aitken scheme.
@@ -227,11 +238,11 @@ pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
         let plural = format!("{name}s");
         // A difference of two things is none of a list.
         let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST && name != "difference");
-        let other = || SYNONYMS.iter().find(|(other, _)| *other == name && !OF_SENTENCES.contains(other));
+        let other = || BY_SYNONYM.get(name).filter(|_| !OF_SENTENCES.contains(&name)).copied();
         singular
             .and_then(function_called)
             .or_else(|| plural.and_then(function_called))
-            .or_else(|| other().map(|(_, known)| *known))
+            .or_else(other)
             .or_else(|| {
                 let (inner, noun) = name.rsplit_once('_')?;
                 (NOUNS.contains(&noun) && inner.len() >= SHORTEST).then(|| function_called(inner))?
@@ -266,7 +277,7 @@ pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
 }
 
 /// What to write for an argument that a function does not take: its derivation may.
-fn elsewhere(builtin: &Builtin, argument: &str) -> String {
+fn elsewhere(builtin: &Builtin, parameters: &[Parameter], argument: &str) -> String {
     let takes = |subject: &Builtin| {
         subject.name == builtin.name
             && subject.parameter_lists().flatten().any(|parameter| parameter.name == argument)
@@ -279,10 +290,10 @@ fn elsewhere(builtin: &Builtin, argument: &str) -> String {
     match BUILTINS.iter().find(|parent| parent.subjects.iter().any(takes)) {
         Some(parent) => format!("write {}({}, ..., {argument}=...) for its steps", parent.name, builtin.name),
         None => {
-            let names = builtin.parameters.iter().filter(|parameter| parameter.has_name());
+            let names = parameters.iter().filter(|parameter| parameter.has_name());
             let names: Vec<&str> = names.map(|parameter| parameter.name).collect();
             match names.is_empty() {
-                true => format!("leave it out: the form is {}", builtin.signature()),
+                true => format!("leave it out: the form is {}", builtin.form_with(parameters)),
                 false => format!("the names of its arguments are {}", names.join(", ")),
             }
         }
@@ -345,7 +356,13 @@ impl Callable for Builtin {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =
                 error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
-            match unknown.filter(|_| error.hints.is_empty()).map(|argument| elsewhere(self, argument)) {
+            let form = error.reason.as_deref().and_then(|reason| reason.strip_prefix("the form is "));
+            // The form that was meant, by what the first argument is.
+            let parameters = form.map_or(self.parameters, |form| self.parameters_of(form));
+            match unknown
+                .filter(|_| error.hints.is_empty())
+                .map(|argument| elsewhere(self, parameters, argument))
+            {
                 Some(advice) => error.hint(advice),
                 None => error,
             }

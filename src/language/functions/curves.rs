@@ -240,6 +240,26 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "support",
+        parameters: &[required("N", Takes::Any, "a piecewise polynomial, such as a basis function")],
+        summary: "the interval outside of which a piecewise polynomial is 0, as [t_i, t_(i+n+1)] of N_i^n",
+        example: "support(bspline_basis(2, [0, 1, 2, 3, 4], 1))",
+        call: |_, args| {
+            let Value::Piecewise(function) = args.value(0)? else {
+                return Err(wrong_kind("a piecewise polynomial", args.value(0)?).at(args.span(0)));
+            };
+            let (breaks, pieces) = (function.function.breaks(), function.function.pieces());
+            let used = |piece: &crate::math::poly::Coefficients<Fraction>| piece.degree().is_some();
+            match (pieces.iter().position(used), pieces.iter().rposition(used)) {
+                (Some(first), Some(last)) => {
+                    Ok(scalar_list([&breaks[first], &breaks[last + 1]].into_iter().cloned()))
+                }
+                _ => Ok(Value::list(Vec::new())),
+            }
+        },
+        ..NEW
+    },
+    Builtin {
         name: "domain",
         parameters: &[required("c", Takes::Geometry, "the curve, spline or piecewise polynomial")],
         summary: "the interval [a, b] over which a curve is given",
@@ -449,6 +469,13 @@ pub(super) const TABLE: &[Builtin] = &[
             let value = args.value(0)?;
             let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(args.span(0)))?;
             let (corners, _) = args.control_points(1)?;
+            if point.len() == 1 && corners.len() > 2 {
+                let message = format!("{} corners on a line, where two are enough", corners.len());
+                return Err(Diagnostic::error(Code::Degenerate, message)
+                    .at(args.span(1))
+                    .reason("a symbol is a number here")
+                    .hint("write points by their coordinates, such as [x_0, y_0]"));
+            }
             affine::barycentric(&corners, &point).map(scalar_list).map_err(curve_error).at(args.span(1))
         },
         ..NEW

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::Builtin;
 use super::blends::{BOUNDARY, coons};
-use super::interpolation::{self, ENDS, MOMENTS, SLOPES, Samples};
+use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
     CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional,
     required,
@@ -249,6 +249,7 @@ const SUBJECTS: &[Builtin] = &[
     Builtin {
         name: "moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
+        common: &ONE_END,
         summary: "the moments of a cubic spline by its system of equations",
         example: "derive(moments, [0, 1, 2], [0, 1, 0])",
         call: |_, args| told(args, moments(args)?),

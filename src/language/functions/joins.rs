@@ -17,6 +17,7 @@ use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, poly
 use crate::math::basis::{Basis, change_of_basis};
 use crate::math::curve::{self, BezierCurve, Point};
 use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -77,6 +78,43 @@ pub(super) const TABLE: &[Builtin] = &[
                 ]);
             }
             Ok(Value::Table(Arc::new(table)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "continuation",
+        parameters: &[
+            CURVE,
+            optional("k", Takes::Size, "1", "the order"),
+            optional(
+                "end",
+                Takes::Scalar,
+                "an interval as long as that of the curve",
+                "the end of the next interval",
+            ),
+        ],
+        summary: "the first k + 1 control points of a curve of its degree that joins its end C^k",
+        example: "continuation(bezier([0, 1, 3, 4]), 2)",
+        call: |_, args| {
+            let (curve, form) = args.bezier(0)?;
+            if form.rational {
+                return Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational, not polynomial")
+                    .at(args.span(0))
+                    .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"));
+            }
+            let k = args.optional_size(1)?.unwrap_or(1);
+            if k > curve.degree() {
+                let message =
+                    format!("a curve of degree {} has {} control points", curve.degree(), curve.degree() + 1);
+                return Err(Diagnostic::error(Code::Domain, message)
+                    .at(args.span(1))
+                    .hint(format!("choose an order of at most {}", curve.degree())));
+            }
+            let (start, b) = curve.interval().ends();
+            let end = args.optional_scalar(2)?.unwrap_or_else(|| b.plus(&b.minus(start)));
+            let place = if args.given(2).is_some() { args.span(2) } else { args.span(0) };
+            let next = curve.part(b, &end).map_err(curve_error).at(place)?;
+            Ok(Value::list(next.points().iter().take(k + 1).map(|point| form.plain(point.clone())).collect()))
         },
         ..NEW
     },

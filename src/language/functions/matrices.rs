@@ -141,7 +141,15 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[MATRIX],
         summary: "a basis of the x with M x = 0, as columns",
         example: "null_space([1, 2; 2, 4])",
-        call: |_, args| Ok(Value::Matrix(linalg::null_space(&args.matrix(0)?))),
+        call: |machine, args| {
+            let basis = linalg::null_space(&args.matrix(0)?);
+            if basis.ncols() == 0 {
+                let note = "only x = 0 has M x = 0: the columns are independent";
+                machine.note(Diagnostic::note(Code::Singular, note).at(args.span(0)));
+                return Ok(Value::list(Vec::new()));
+            }
+            Ok(Value::Matrix(basis))
+        },
         ..NEW
     },
     Builtin {

@@ -64,14 +64,16 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         summary: "the length of a curve: exactly where |c'| is a polynomial, else bounds [lower, upper]",
         example: "arc_length(bezier([[0, 0], [1, 1], [2, 0]]), width=1/50)",
-        call: |_, args| {
+        call: |machine, args| {
             let curve = numbers(args)?;
             let width = roots::width(args)?.unwrap_or_else(|| rational(1, 1000));
             let (lower, upper) = curve::arc_length(&curve, &width);
-            Ok(match lower == upper {
-                true => Value::number(lower),
-                false => Value::list(vec![Value::number(lower), Value::number(upper)]),
-            })
+            if lower == upper {
+                return Ok(Value::number(lower));
+            }
+            let note = "the length lies between these; it is the integral of a root";
+            machine.note(Diagnostic::note(Code::Irrational, note).at(args.span(0)));
+            Ok(Value::list(vec![Value::number(lower), Value::number(upper)]))
         },
         ..NEW
     },

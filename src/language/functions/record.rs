@@ -3,15 +3,23 @@
 
 use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::ops::errors::curve_error;
 use crate::language::ops::formula::{is_parameter, symbol_of};
+use crate::language::ops::geometry::{bezier, points_of};
 use crate::language::ops::polar::levelled;
 
 use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
 use crate::formula::source::Span;
-use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::value::{PolarKind, Value};
+use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::value::{Form, Geometry, PolarKind, Value, free_parameter};
+use crate::math::curve::{BezierCurve, Interval};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// The chapter of functions of which the first argument is a polynomial whose values are looked at.
+const ROOTS: &str = "Roots of polynomials";
 
 /// A function of the program.
 pub struct Builtin {
@@ -137,6 +145,19 @@ impl Builtin {
         lines
     }
 
+    /// The parameters of one of its forms.
+    pub(super) fn parameters_of(&self, form: &str) -> &'static [Parameter] {
+        self.variants()
+            .map(|own| own.parameters)
+            .find(|own| self.form(own) == form)
+            .unwrap_or(self.parameters)
+    }
+
+    /// How it is called with these parameters.
+    pub(super) fn form_with(&self, parameters: &[Parameter]) -> String {
+        self.form(parameters)
+    }
+
     fn form(&self, parameters: &[Parameter]) -> String {
         let shown = parameters.iter().filter(|parameter| parameter.need != Need::Free);
         let shown: Vec<&str> =
@@ -194,6 +215,8 @@ impl Builtin {
     pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
         let args = self.with_points_together(self.with_first_in_place(args)).with_equations_together();
         let args = self.with_values_apart(args);
+        let args = self.with_line(self.with_curve_of_points(machine, args)?);
+        let args = self.with_polynomial_of_curve(machine, args);
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
@@ -223,13 +246,98 @@ impl Builtin {
         }
     }
 
+    /// roots(bezier([1, -1, 1])): a Bézier polynomial where a polynomial is expected, and its interval where one is.
+    fn with_polynomial_of_curve(&self, machine: &mut Machine, mut args: Arguments) -> Arguments {
+        let of_polynomial = self.parameters.first().is_some_and(|first| {
+            matches!(first.kind, Takes::Polynomial | Takes::Scalar) && first.name == "F"
+        });
+        let Some((Value::Geometry(geometry), span)) = args.given(0) else { return args };
+        let Geometry::Bezier(curve, form) = &**geometry else { return args };
+        if !of_polynomial || self.on_curve.is_some() || !form.scalar || form.rational || self.topic != ROOTS {
+            return args;
+        }
+        let variable = free_parameter(curve.points().iter().flat_map(|point| point.iter()));
+        let value = curve.value(&Fraction::from(MultiPoly::symbol(variable)))[0].clone();
+        let (a, b) = curve.interval().ends();
+        let ends = [a.clone(), b.clone()].map(Value::Scalar);
+        let whole = args.len() == 1 && !args.has_name("a") && !args.has_name("b");
+        args = args.with_first(Value::Scalar(value));
+        let takes = |name: &str| self.parameters.iter().any(|own| own.name == name && own.has_place());
+        if whole && takes("a") && takes("b") {
+            let written =
+                ends.iter().map(|end| crate::language::write::text(&end.to_expr())).collect::<Vec<_>>();
+            let note = format!("on [{}], the interval of the curve", written.join(", "));
+            machine.note(Diagnostic::note(Code::StandardMeaning, note).at(span));
+            for (place, end) in (1..).zip(ends) {
+                args.put(place, end, span);
+            }
+        }
+        args
+    }
+
+    /// intersections(c, y = 1/2): an equation of a line where another curve is expected.
+    fn with_line(&self, mut args: Arguments) -> Arguments {
+        if self.name != "intersections" || args.len() != 1 {
+            return args;
+        }
+        for name in ["x", "y", "z"] {
+            if let Some((_, Value::Scalar(value), span)) = args.take_named(name) {
+                let letter = Fraction::from(MultiPoly::symbol(Symbol::new(name)));
+                args.put(1, Value::Scalar(letter.minus(&value)), span);
+                break;
+            }
+        }
+        args
+    }
+
+    /// elevate([0, 2, 3]), elevate(0, 2, 3): numbers or points where a curve is expected are its control points.
+    fn with_curve_of_points(&self, machine: &mut Machine, args: Arguments) -> Result<Arguments> {
+        let of_curves =
+            |parameter: &Parameter| matches!(parameter.kind, Takes::Curve | Takes::Polar | Takes::Geometry);
+        let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
+        if self.topic == "Figures"
+            || !places.next().is_some_and(of_curves)
+            || places.next().is_some_and(of_curves)
+        {
+            return Ok(args);
+        }
+        let number = |value: &Value| value.as_rational().is_some() && !matches!(value, Value::List(_));
+        let point = |value: &Value| matches!(value, Value::List(items) if items.len() > 1 && items.iter().all(number));
+        let points =
+            |items: &[Value]| items.len() > 1 && (items.iter().all(number) || items.iter().all(point));
+        let most = self.parameters.iter().filter(|parameter| parameter.has_place());
+        let most = most
+            .map(|p| if let Need::Many(_, most) = p.need { most } else { 1 })
+            .fold(0, usize::saturating_add);
+        let side_by_side: Vec<Value> = args.values().cloned().collect();
+        let args = match side_by_side.len() > most && points(&side_by_side) {
+            true => {
+                let span = args.span(0).to(args.span(args.len() - 1));
+                args.gathered(span)
+            }
+            false => args,
+        };
+        let Some((Value::List(items), span)) = args.given(0) else { return Ok(args) };
+        let found = points_of(&Value::List(items.clone())).filter(|_| points(items.as_slice()));
+        let Some((points, scalar)) = found else { return Ok(args) };
+        let curve = BezierCurve::new(points, Interval::unit()).map_err(curve_error).at(span)?;
+        let curve = bezier(curve, Form { scalar, rational: false });
+        let written = crate::language::write::text(&curve.to_expr());
+        machine
+            .note(Diagnostic::note(Code::StandardMeaning, format!("read as the curve {written}")).at(span));
+        Ok(args.with_first(curve))
+    }
+
     /// bezier((0, 0), (1, 1), (2, 0)): three lists and more, where one is expected and numbers follow, are its items.
     fn with_points_together(&self, args: Arguments) -> Arguments {
         let mut kinds = self.parameters.iter().filter(|parameter| parameter.has_place()).map(|p| p.kind);
         let expected = kinds.next() == Some(Takes::Points) && kinds.next() == Some(Takes::Scalar);
         let column = |value: &Value| matches!(value, Value::Matrix(column) if column.ncols() == 1);
         let lists = args.values().all(|value| matches!(value, Value::List(_)) || column(value));
-        if !expected || !lists || args.values().count() < 3 {
+        // bezier(0, 1, 4)
+        let numbers =
+            args.values().all(|value| matches!(value, Value::Scalar(_))) && args.values().count() > 1;
+        if !expected || !(lists && args.values().count() > 2 || numbers) {
             return args;
         }
         let span = args.span(0).to(args.span(args.len() - 1));
@@ -292,7 +400,8 @@ impl Builtin {
             let place = by_place.iter().position(|p| placeable && p.has_name() && p.name == name);
             if placeable && place.is_none() && !by_name().any(|p| p.name == name) {
                 let places = by_place.iter().copied().filter(|p| p.has_name());
-                return Err(self.unknown(parameters, &name, places.chain(by_name())).at(span));
+                let place = args.span_of_name(&name).unwrap_or(span);
+                return Err(self.unknown(parameters, &name, places.chain(by_name())).at(place));
             }
             let taken = match place {
                 Some(place) => args.given(place),

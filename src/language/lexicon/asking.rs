@@ -155,6 +155,9 @@ const TASKS: &[&str] = &[
     "check that",
     "check whether",
     "is it true that",
+    "zeige dass",
+    "beweise dass",
+    "prüfe ob",
     "zeige, dass",
     "zeigen sie, dass",
     "beweise, dass",
@@ -437,7 +440,7 @@ pub(crate) fn label(text: &str) -> Option<Labelled> {
 }
 
 /// The length of the longest of some words with which a text begins, whatever its capitals.
-fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
+pub(super) fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
     let ends = |rest: &str, word: &str| {
         !rest.starts_with(char::is_alphanumeric) || word.chars().all(super::letters::is_ideograph)
     };

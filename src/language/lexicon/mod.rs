@@ -3,10 +3,12 @@
 
 pub(crate) mod asking;
 pub(crate) mod families;
+pub(crate) mod fractions;
 pub mod letters;
 pub(crate) mod phrases;
 pub(crate) mod relations;
 pub(crate) mod roles;
 pub(crate) mod signs;
 pub(crate) mod topics;
+pub(crate) mod wanted;
 pub mod words;

@@ -41,6 +41,8 @@ pub(crate) enum Phrase {
     Is,
     /// Something has a value: equals.
     Equals,
+    /// Something has a value somewhere: takes the value.
+    Takes,
     /// Values are asked for: for which.
     Which,
     /// A place of a curve or a triangle: in the middle.
@@ -51,6 +53,24 @@ pub(crate) enum Phrase {
     Where,
     /// A polar form: symmetric and affine in each argument.
     Multiaffine,
+    /// How often a knot stands: a double knot.
+    Multiplicity(i64),
+    /// The knots are equally spaced.
+    Uniform,
+    /// A way to do it follows: using.
+    Using,
+    /// Something has a property: has derivative 0.
+    Has,
+    /// So many of them, from the first on: first three.
+    First(i64),
+    /// A curve, of which it is not said which kind it is.
+    Curve,
+    /// The degree that a polynomial has, where one is given that it may have.
+    TrueDegree,
+    /// What follows is applied to something: apply.
+    Apply,
+    /// What it is applied to follows.
+    AppliedTo,
     /// It says nothing: the, please.
     Filler,
 }
@@ -103,6 +123,12 @@ pub(crate) enum Label {
     Number,
     /// Weights are expected: rational.
     Rational,
+    /// Knots are equally spaced: uniform.
+    Uniform,
+    /// How often a knot stands.
+    Multiplicity,
+    /// The points of a triangle.
+    Net,
 }
 
 impl Label {
@@ -149,7 +175,7 @@ static BY_START: LazyLock<HashMap<String, Vec<(Phrase, &str)>>> = LazyLock::new(
     found
 });
 
-const LONGEST_MIXED: usize = 12;
+const LONGEST_MIXED: usize = 14;
 
 /// The phrases of letters and ideographs.
 static MIXED: LazyLock<Vec<(Phrase, &str)>> = LazyLock::new(|| {
@@ -189,7 +215,9 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         return Some((*phrase, name.len()));
     }
     if word(text).len() < text.len()
-        && text.get(word(text).len()..).is_some_and(|rest| rest.starts_with(is_ideograph))
+        && text
+            .get(word(text).len()..)
+            .is_some_and(|rest| rest.strip_prefix(' ').unwrap_or(rest).starts_with(is_ideograph))
     {
         // B样条
         let lower: String = text.chars().take(LONGEST_MIXED).flat_map(char::to_lowercase).collect();

@@ -35,7 +35,7 @@ pub(super) fn parts(
         };
         // 5! is a factorial
         let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
-        if !trimmed.is_empty() {
+        if !trimmed.is_empty() && !matches!(trimmed, "'" | "’") {
             let from = from + (piece.len() - piece.trim_start_matches(separates).len());
             parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
         }
@@ -89,6 +89,26 @@ pub(super) fn parts(
             parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + 1)));
             at += 1;
             start = at;
+            before = ' ';
+            continue;
+        }
+        // at t = 1/2: (0, 0), (2, 4)
+        let piece = text.piece(start..at).trim_start();
+        if c == ':'
+            && depth == 0
+            && !dollar
+            && piece.contains('=')
+            && begins_equation(piece)
+            && text
+                .piece(at + 1..)
+                .trim_start()
+                .starts_with(|next: char| next == '(' || next.is_ascii_digit())
+            && text.piece(at + 1..).starts_with(' ')
+        {
+            push(&mut parts, start, at);
+            at += 1;
+            start = at;
+            listed = false;
             before = ' ';
             continue;
         }
@@ -149,6 +169,8 @@ pub(super) fn without_asides<'a>(
             Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
                 is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
             }
+            // 1, 3, 2 (Bézier)
+            Some((Phrase::Function("bezier" | "bspline"), length)) => length == inside.len(),
             _ => false,
         };
         if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
@@ -176,6 +198,14 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     if known(written) {
         return false;
     }
+    // both halves' control points
+    if matches!(phrase, Phrase::Filler)
+        && written.ends_with('s')
+        && text.piece(at + length..).starts_with(['\'', '’'])
+        && text.piece(at + length..).chars().nth(1).is_some_and(char::is_whitespace)
+    {
+        return true;
+    }
     if written.ends_with(['\'', '’']) || written.contains(is_ideograph) {
         return true;
     }
@@ -190,7 +220,8 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
         }
     }
     // from -1 to 2
-    let negative = label
+    // of -1, 2, -2
+    let negative = (label || written.chars().count() > 1)
         && rest.starts_with(' ')
         && next.strip_prefix('-').is_some_and(|rest| rest.starts_with(char::is_alphanumeric));
     if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
@@ -204,7 +235,13 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     }
     // One letter is a name, unless words follow: a cubic.
     if written.chars().count() == 1 && written.is_ascii() {
-        return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
+        // a B-spline
+        let letter = |c: &char| c.is_alphabetic() || *c == '-';
+        let word: String = next.chars().take_while(letter).collect();
+        return rest.starts_with(' ')
+            && word.starts_with(char::is_alphabetic)
+            && !word.ends_with('-')
+            && word.chars().count() > 1;
     }
     true
 }
@@ -245,7 +282,10 @@ pub(super) fn has_words(piece: &str, known: &dyn Fn(&str) -> bool) -> bool {
         let after = rest.piece(length..);
         let spaced = matches!(before, ' ' | ',' | ':' | ';') && !after.starts_with(['(', '[', '_']);
         let long = word.chars().count() > 2 || word.chars().any(is_ideograph);
-        let name = known(word) || letters::sign(word).is_some();
+        // uvw, xyz
+        let arguments = word.chars().all(|c| matches!(c, 'r'..='w')) && word != "rust"
+            || word.chars().all(|c| matches!(c, 'x'..='z'));
+        let name = known(word) || letters::sign(word).is_some() || arguments;
         if spaced && long && !name && before != '\\' {
             return true;
         }

@@ -6,9 +6,14 @@
 
 mod ahead;
 mod asks;
+mod counts;
+mod meant;
 mod pairs;
+mod questions;
 mod totals;
 
+pub(crate) use self::counts::Count;
+pub(crate) use self::totals::family_index;
 use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
@@ -20,7 +25,7 @@ pub(crate) struct Asked {
     /// What is asked for.
     pub request: Request,
     /// Its value, if one is said.
-    pub equals: Option<Span>,
+    pub equals: Option<What>,
 }
 
 /// What is asked for.
@@ -32,10 +37,14 @@ pub(crate) enum Request {
     Call(Call),
     /// A sum or product.
     Total(Total),
-    /// A sum or product of formulas that stand side by side: the product of t + 1 and t - 1.
-    Joined(BigOp, Vec<Span>),
+    /// A sum or product of formulas that stand side by side, or of what Bernstein coefficients give: the product of t + 1 and t - 1.
+    Joined(BigOp, Vec<Span>, bool),
+    /// The sum of the functions that a function gives: of all Bernstein polynomials of degree 3.
+    Added(Call),
     /// Curves by their control points, each perhaps with its interval.
     Curves(Vec<(Span, Option<Span>)>),
+    /// A number that follows from others.
+    Count(Count),
 }
 
 /// A function, and what is said of its arguments.
@@ -96,18 +105,19 @@ pub(crate) enum What {
 
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
 ///
-/// A name that is `known` is no word, and `function` finds a function by its name. Cost: linear in the length
-/// of the text.
+/// A name that is `known` is no word, and `function` finds a function by its name. If it is `about` something that was
+/// said before, a value may be all that is asked: value at 1/2. Cost: linear in the length of the text.
 pub(crate) fn request(
     text: &str,
     known: &dyn Fn(&str) -> bool,
     function: &dyn Fn(&str) -> Option<&'static str>,
+    about: bool,
 ) -> Option<Asked> {
     let masked = without_text_commands(text);
     let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
-    if !asks::is_request(text, &parts) {
+    if !(asks::is_request(text, &parts) || about && asks::is_about_something(text, &parts)) {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -122,7 +132,7 @@ pub(crate) fn request(
         matches!(
             part,
             Part::Phrase(
-                Phrase::Function("maximum" | "minimum" | "max" | "min")
+                Phrase::Function("maximum" | "minimum" | "max" | "min" | "support")
                     | Phrase::Command("maximum" | "minimum" | "max" | "min"),
                 _
             )
@@ -133,7 +143,8 @@ pub(crate) fn request(
     }
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let mut reader = Reader { text, parts: asks::from_one_to_another(parts), at: 0 };
+    let parts = meant::settled(text, asks::from_one_to_another(parts));
+    let mut reader = Reader { text, parts, at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
 }
@@ -165,69 +176,6 @@ impl Reader<'_> {
         let found = self.phrase() == Some(phrase);
         self.at += usize::from(found);
         found
-    }
-
-    /// A request, or what it is claimed to be: is u v the polar form of t^2? The degree of t^2 equals 2.
-    fn asked(&mut self) -> Option<Asked> {
-        if let Some(request) = self.two_curves() {
-            self.at = self.parts.len();
-            return Some(Asked { request, equals: None });
-        }
-        // for which x is x^2 = 1
-        if self.take(Phrase::Which) {
-            let (Part::Piece(name), true) = (self.next()?, {
-                self.at += 1;
-                self.take(Phrase::Is)
-            }) else {
-                return None;
-            };
-            let Part::Piece(equation) = self.next()? else { return None };
-            self.at += 1;
-            let labels = vec![Said { label: Label::With, what: What::Formula(name) }];
-            let subject = Some(Box::new(Request::Formula(vec![equation], Vec::new())));
-            let call = Call { function: "solve", phrase: name, subject, labels, part: None };
-            return Some(Asked { request: Request::Call(call), equals: None });
-        }
-        let asks = self.take(Phrase::Is);
-        // is B_0^3(1/2) equal to 1/8?
-        if let Some([Part::Piece(left), Part::Phrase(Phrase::Equals, _), Part::Piece(right)]) =
-            self.parts.get(self.at..)
-        {
-            self.at += 3;
-            let request = Request::Formula(vec![*left], Vec::new());
-            return Some(Asked { request, equals: Some(*right) });
-        }
-        // does t^3 - t have roots in [0, 1]?
-        let finds = |part: &Part| {
-            matches!(
-                part,
-                Part::Phrase(
-                    Phrase::Function("roots" | "double_points" | "inflections" | "intersections"),
-                    _
-                )
-            )
-        };
-        let found = self.parts.iter().filter(|part| finds(part)).count();
-        let asks = asks && (found != 1 || self.next().is_some_and(|part| finds(&part)));
-        if asks
-            && let Some(Part::Piece(claimed)) = self.next()
-            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
-        {
-            self.at += 1;
-            self.take(Phrase::Is);
-            let request = self.request()?;
-            return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(claimed) });
-        }
-        let request = self.request()?;
-        let mut equals = None;
-        if (self.take(Phrase::Equals) || self.take(Phrase::Is))
-            && let Some(Part::Piece(value)) = self.next()
-            && matches!(request, Request::Call(_))
-        {
-            self.at += 1;
-            equals = Some(value);
-        }
-        (!asks || equals.is_some()).then_some(Asked { request, equals })
     }
 
     /// A formula or a function of something, and what is done with that.
@@ -263,7 +211,7 @@ impl Reader<'_> {
         }
         while let Some(next) = self.next() {
             match next {
-                Part::Phrase(Phrase::Equals | Phrase::Is, _) => break,
+                Part::Phrase(Phrase::Equals | Phrase::Takes | Phrase::Is, _) => break,
                 // a spline with control points 0, 1, 3
                 Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
                     let said = self.said()?;
@@ -379,6 +327,7 @@ impl Reader<'_> {
                 Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
                 Some(Phrase::Ordinal(number)) => (Label::Times, number),
                 Some(Phrase::Rational) => (Label::Rational, 1),
+                Some(Phrase::Uniform) => (Label::Uniform, 1),
                 // degree 2 spline
                 Some(Phrase::Label(Label::OfDegree))
                     if let Some([Part::Piece(span), Part::Phrase(Phrase::Function(_), _)]) =
@@ -392,6 +341,10 @@ impl Reader<'_> {
             };
             labels.push(Said { label, what: What::Degree(number) });
             self.at += 1;
+            // one step of Chaikin's scheme
+            if label == Label::Times && self.take(Phrase::Label(Label::Times)) {
+                while self.take(Phrase::Of) {}
+            }
         }
         // a rational quadratic with points 0, 1, 3
         if !labels.is_empty() && matches!(self.phrase(), Some(Phrase::Label(_))) && self.at_label() {
@@ -409,8 +362,11 @@ impl Reader<'_> {
             }
             Part::Phrase(Phrase::Total(op), phrase) if labels.is_empty() => {
                 self.at += 1;
+                if let Some(call) = self.all_of_them(op) {
+                    return Some(Request::Added(call));
+                }
                 match self.joined() {
-                    Some(formulas) => Some(Request::Joined(op, formulas)),
+                    Some((formulas, curves)) => Some(Request::Joined(op, formulas, curves)),
                     None => self.total(op, phrase).map(Request::Total),
                 }
             }
@@ -455,10 +411,19 @@ impl Reader<'_> {
 
     /// What a function is applied to: nothing if labels follow at once, which may also stand before it.
     fn argument(&mut self, labels: &mut Vec<Said>) -> Option<Option<Request>> {
+        // 贝塞尔曲线的极形式 is the polar form of the curve
+        if let [Part::Phrase(Phrase::Of, of), Part::Phrase(Phrase::Function(_), _), ..] =
+            self.parts.get(self.at..).unwrap_or_default()
+            && self.text.piece(of.range()) == "的"
+        {
+            return Some(None);
+        }
         loop {
             while self.take(Phrase::Of) {}
             match self.next() {
-                None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                None | Some(Part::Phrase(Phrase::Equals | Phrase::Takes | Phrase::Is, _)) => {
+                    return Some(None);
+                }
                 // bezier 0, 1, 3 at 1/2 and give the left part
                 Some(Part::Phrase(Phrase::Part(..), _)) if !labels.is_empty() => return Some(None),
                 // degree elevation twice: 1, 0, 1
@@ -484,9 +449,11 @@ impl Reader<'_> {
                     if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is | Phrase::Part(..), _)) => {
-                                Some(None)
-                            }
+                            None
+                            | Some(Part::Phrase(
+                                Phrase::Equals | Phrase::Takes | Phrase::Is | Phrase::Part(..),
+                                _,
+                            )) => Some(None),
                             // with control points 0, 3, 3 twice
                             Some(Part::Phrase(Phrase::Ordinal(_), _)) => continue,
                             Some(_) => self.subject().map(Some),
@@ -523,6 +490,10 @@ impl Reader<'_> {
             Part::Phrase(Phrase::Place(place), _) => {
                 self.at += 1;
                 return Some(vec![Said { label: Label::At, what: What::Place(place) }]);
+            }
+            Part::Phrase(Phrase::Uniform, _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::Uniform, what: What::Degree(1) }]);
             }
             Part::Phrase(Phrase::Flag(name, value), _) => {
                 self.at += 1;
@@ -571,8 +542,12 @@ impl Reader<'_> {
                     }
                     _ => label,
                 };
-                // at 1/2 and 3/4
-                let all = std::iter::once(span).chain(self.others());
+                // at 1/2 and 3/4; with control points 1, 3, 2 and t = 1/3
+                let equation = |span: Span| begins_equation(self.text.piece(span.range()));
+                let other = matches!(self.parts.get(self.at..self.at + 2),
+                    Some([Part::Phrase(Phrase::And, _), Part::Piece(next)]) if equation(*next) && !equation(span));
+                let others = if other { Vec::new() } else { self.others() };
+                let all = std::iter::once(span).chain(others);
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
             // to a cubic
@@ -583,7 +558,14 @@ impl Reader<'_> {
                 self.at += 1;
                 Some(vec![Said { label, what: What::Degree(degree) }])
             }
-            Part::Phrase(Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_), _) => Some(Vec::new()),
+            Part::Phrase(
+                Phrase::Label(_)
+                | Phrase::Degree(_)
+                | Phrase::Ordinal(_)
+                | Phrase::Flag(..)
+                | Phrase::Place(_),
+                _,
+            ) => Some(Vec::new()),
             // for the control points 0, 1
             Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,

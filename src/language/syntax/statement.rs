@@ -73,7 +73,14 @@ fn ends_sentence(text: &str, token: &Token) -> bool {
         && asking::asks(next).is_none()
         && !words::is_question(next)
         && !factor;
-    next.is_empty() || next.starts_with(['\n', '#']) || sentence && (rest != next || written == "。")
+    // b = 4. b(1/2)? is no product
+    let name = next.trim_start_matches(char::is_alphabetic);
+    let called = token.kind == TokenKind::Number
+        && name.len() < next.len()
+        && name.trim_start_matches(['\'', '′']).starts_with('(');
+    next.is_empty()
+        || next.starts_with(['\n', '#'])
+        || (sentence || called) && (rest != next || written == "。")
 }
 
 /// Whether the last statement needs another line.

@@ -16,6 +16,8 @@ pub(crate) struct Unknown {
     pub conditions: Vec<Span>,
     /// What is asked about it; else the function itself.
     pub asked: Option<Span>,
+    /// The function that gives the form in which it is wanted: as Bézier curve.
+    pub form: Option<&'static str>,
 }
 
 /// The function that a text asks for by conditions; `None` if it is no such text, or not all of its words are known.
@@ -32,7 +34,8 @@ pub(crate) fn unknown(
     if !parts.iter().any(says) {
         return None;
     }
-    let mut found = Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None };
+    let mut found =
+        Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None, form: None };
     let mut name: Option<&str> = None;
     let mut parts = parts.into_iter().peekable();
     while let Some(part) = parts.next() {
@@ -51,7 +54,18 @@ pub(crate) fn unknown(
                 continue;
             }
             Part::Phrase(
+                Phrase::Function(
+                    "bezier" | "bezier_points" | "control_points" | "in_bernstein" | "bernstein",
+                ),
+                _,
+            ) if found.form.is_none() && !found.conditions.is_empty() => {
+                found.form = Some("bezier_points");
+                continue;
+            }
+            Part::Phrase(Phrase::Label(Label::To | Label::In), _) if !found.conditions.is_empty() => continue,
+            Part::Phrase(
                 Phrase::Filler
+                | Phrase::Curve
                 | Phrase::Of
                 | Phrase::And
                 | Phrase::Multiaffine
@@ -85,7 +99,7 @@ pub(crate) fn unknown(
     }
     let name = name.filter(|name| !known(name) && function(name).is_none())?;
     let asks = found.asked.is_none_or(|span| text.piece(span.range()).contains(name));
-    (!found.conditions.is_empty() && asks).then_some(found)
+    (!found.conditions.is_empty() && asks && (found.form.is_none() || found.asked.is_none())).then_some(found)
 }
 
 /// The function of which a text gives a value: p'(0) = 1.

@@ -16,11 +16,17 @@ use crate::math::poly::Symbol;
 
 /// The formula that a function names with its own notation, and how many of the labels it has used, the first ones; `None`
 /// if it is asked for of something else.
-pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<(Expr, usize)> {
+pub(super) fn meant(
+    draft: &Draft,
+    items: &[Expr],
+    said: &[Read],
+    env: &Env,
+    topic: Option<&Expr>,
+) -> Option<(Expr, usize)> {
     // the divided differences of 1, 4, 9 at 1, 2, 3
     let several = items.len() > 1 && items.iter().all(is_number);
     if several && matches!(draft.builtin.name, "divided_differences" | "newton" | "lagrange") {
-        return meant(draft, &[list(items.to_vec())], said, env);
+        return meant(draft, &[list(items.to_vec())], said, env, topic);
     }
     let [item] = items else { return None };
     match (draft.builtin.name, &item.kind) {
@@ -64,8 +70,18 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
         // the blossom p(a, b, c) of a polynomial p(t)
         ("polar", Kind::Apply(callee, groups)) if said.is_empty() => {
             let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
+            // control points 0, 1, 3: blossom b(0, 1)
+            if let (Some(topic), None) = (topic, env.get(&Symbol::new(name)))
+                && arguments.len() > 1
+                && (name.chars().count() == 1)
+            {
+                let called = matches!(&topic.kind, Kind::Name(own) if own != name);
+                let form = call("polar", vec![topic.clone()], callee.span);
+                return (!called).then(|| (applied(form, arguments.clone(), item.span), 0));
+            }
             let of_one = match env.get(&Symbol::new(name)) {
                 Some(Value::Function(function)) => function.as_formula().is_some(),
+                Some(Value::Scalar(formula)) => formula.variables().len() == 1,
                 _ => false,
             };
             let form = call("polar", vec![(**callee).clone()], callee.span);
@@ -144,7 +160,17 @@ pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnosti
 /// 1, 3, 1; the cubic 0, 0, 8, 8 at 1/2.
 pub(super) fn curve_of_points(drafts: &mut Vec<Draft>, items: &[Expr], said: &[Read]) {
     let says = |label: Label| said.iter().any(|read| read.label == label);
-    let curve = says(Label::Rational) || says(Label::OfDegree) && says(Label::At);
+    let number = |item: &Expr| {
+        matches!(
+            item.kind,
+            Kind::Number(_) | Kind::Div(..) | Kind::Tuple(_) | Kind::Subscript(..) | Kind::Name(_)
+        ) || matches!(&item.kind, Kind::Add(terms) if terms.len() == 1)
+    };
+    let counted = said.iter().any(|read| {
+        read.label == Label::OfDegree
+            && matches!(read.items.as_slice(), [degree] if degree.as_int().is_some_and(|n| usize::try_from(n + 1) == Ok(items.len())))
+    }) && items.iter().all(number);
+    let curve = says(Label::Rational) || counted || says(Label::OfDegree) && says(Label::At);
     if let (true, [first, _, ..], true, false) = (drafts.is_empty(), items, curve, says(Label::Knots))
         && let Some(bezier) = builtin("bezier")
     {

@@ -2,7 +2,7 @@
 
 use super::{Read, one_term};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
@@ -68,6 +68,21 @@ impl Draft {
 
     /// Takes the words of its own phrase that are values of parameters: Chaikin's scheme.
     pub(super) fn take_words(&mut self, phrase: &str) {
+        const FOUR_POINT: &[&str] = &[
+            "four point",
+            "four-point",
+            "vierpunkt",
+            "vier punkt",
+            "vier-punkt",
+            "quatre points",
+            "cuatro puntos",
+            "quattro punti",
+            "四点",
+        ];
+        if self.builtin.name == "subdivide_polygon" && FOUR_POINT.iter().any(|own| phrase.contains(own)) {
+            self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
+            return;
+        }
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
             let found =
@@ -88,6 +103,11 @@ impl Draft {
                     Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry
                 ) || first.kind == Takes::Coordinates && read.items.len() > 1
             }
+            // one step of Chaikin's scheme on 0, 4, 8
+            Label::Over => {
+                self.builtin.name == "subdivide_polygon"
+                    && (read.items.len() > 1 || matches!(&read.items[0].kind, Kind::List(_)))
+            }
             Label::Nodes => first.name == "nodes",
             Label::With => {
                 !matches!(first.kind, Takes::Size)
@@ -105,8 +125,18 @@ impl Draft {
             // the derivative of 0, 1, 3
             Takes::Function => {
                 let number = |item: &Expr| matches!(item.kind, Kind::Number(_));
-                let numbers = self.builtin.name == "derivative" && items.iter().all(number);
+                let simple = |item: &Expr| {
+                    number(item) || matches!(item.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Div(..))
+                };
+                let numbers = self.builtin.name == "derivative"
+                    && (items.iter().all(number) || items.len() > 2 && items.iter().all(simple));
                 items.len() > 1 && (is_points(items) || numbers)
+            }
+            // the blossom of 0, 1, 3
+            Takes::Polynomial if self.builtin.name == "polar" => {
+                items.len() > 1
+                    && items.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
+                    || items.len() > 1 && is_points(items)
             }
             Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
             Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
@@ -175,7 +205,11 @@ impl Draft {
         if let ("bezier", [formula]) = (self.builtin.name, items.as_slice())
             && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
         {
-            return false;
+            let Some(points) = builtin("bezier_points").filter(|_| self.named.is_empty()) else {
+                return false;
+            };
+            self.builtin = points;
+            return self.is_about(items, said);
         }
         // t^2 as a spline
         if let ("bspline", [formula]) = (self.builtin.name, items.as_slice())
@@ -265,6 +299,8 @@ impl Draft {
             Takes::Any | Takes::List if items.len() > 1 && self.is_of_one() => {
                 self.placed = vec![list(items)]
             }
+            // the roots of -1, 2, -2: a polynomial and an interval, or coefficients, of which basis?
+            Takes::Polynomial | Takes::Scalar if items.len() > 1 && self.has_ends() => return false,
             _ => self.placed = items,
         }
         true
@@ -354,6 +390,8 @@ impl Draft {
         let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
         let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
         let found = match read.label {
+            // raise the degree by 2
+            Label::In if number && matches!(self.builtin.name, "elevate" | "reduce") => single(&["k"]),
             Label::OfDegree => return self.take_degree(read, first),
             // Without weights it is not known which curve is meant.
             Label::Rational => {
@@ -430,113 +468,18 @@ impl Draft {
     }
 
     /// Whether its object may be a curve, though other things may be, too.
-    fn takes_curves(&self) -> bool {
+    pub(super) fn takes_curves(&self) -> bool {
         self.builtin.parameters.first().is_some_and(|first| first.doc.contains("curve"))
     }
 
     /// Whether it cannot be without an interval: the part of a curve.
     pub(super) fn needs_ends(&self) -> bool {
-        self.parameter(&["r"]).is_some_and(|end| end.need == Need::Required)
+        let end = if self.builtin.name == "over" { "a" } else { "r" };
+        self.parameter(&[end]).is_some_and(|end| end.need == Need::Required)
     }
 
     /// Whether it takes an interval by its ends.
     pub(super) fn has_ends(&self) -> bool {
         self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
-    }
-
-    /// The call, of what is inside of it.
-    pub(super) fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
-        let span = self.phrase;
-        let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
-        if let Some(mut inside) = inside {
-            let subject = self.builtin.parameters.first().map(|first| first.kind);
-            if let Kind::Apply(callee, groups) = &inside.kind
-                && let Kind::Name(name) = &callee.kind
-            {
-                match (subject, name.as_str(), groups.first().map(Vec::as_slice)) {
-                    // The points of a curve stand for it.
-                    (
-                        Some(Takes::Curve | Takes::Polar | Takes::Geometry),
-                        "control_points" | "bezier_points",
-                        Some([curve]),
-                    ) => inside = curve.clone(),
-                    // The zeros of a Bézier polynomial.
-                    (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() && !self.takes_curves() =>
-                    {
-                        let span = inside.span;
-                        inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
-                    }
-                    _ => {}
-                }
-            }
-            self.placed.insert(0, inside);
-        }
-        let phrase = self.phrase;
-        let call =
-            |name: &str, arguments| applied(Expr { span: phrase, ..Expr::name(name) }, arguments, span);
-        // As many degrees as lie between.
-        if let Some(degree) = self.degree.take() {
-            let own = call("degree", vec![self.placed.first()?.clone()]);
-            let (more, less) = match self.builtin.name {
-                "elevate" => (degree, own),
-                _ => (own, degree),
-            };
-            let by = Expr {
-                span,
-                ..Expr::sum(vec![
-                    Term { sign: Sign::Plus, expr: more },
-                    Term { sign: Sign::Minus, expr: less },
-                ])
-            };
-            self.placed.push(by);
-        }
-        if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
-            let knots =
-                self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
-            let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
-            // The only one.
-            if let (Some(knots), Some(degree)) = (knots, degree)
-                && i64::try_from(knots.len()).is_ok_and(|count| count == degree + 2)
-            {
-                self.named.push(("i", Expr { span, ..Expr::int(0) }));
-            }
-        }
-        // The knots of m + 1 points are m + n + 2.
-        if self.builtin.name == "bspline" && self.placed.is_empty() {
-            let count = |name: &str| {
-                let (_, list) = self.named.iter().find(|(own, _)| *own == name)?;
-                i64::try_from(list.items()?.len()).ok()
-            };
-            let known = self.named.iter().any(|(name, _)| *name == "n");
-            if let (Some(knots), Some(points), false) = (count("knots"), count("points"), known)
-                && knots > points
-            {
-                self.named.push(("n", Expr { span, ..Expr::int(knots - points - 1) }));
-            }
-        }
-        // solve x + y = 3, x - y = 1 for x and y
-        if self.builtin.on_equations.is_some() {
-            let (unknowns, others): (Vec<_>, Vec<_>) =
-                self.named.into_iter().partition(|(name, _)| name.is_empty());
-            self.named = others;
-            if self.placed.len() > 1 {
-                self.placed = vec![list(self.placed)];
-            }
-            match unknowns.len() {
-                0 | 1 => self.named.extend(unknowns),
-                _ => self.named.push(("", list(unknowns.into_iter().map(|(_, name)| name).collect()))),
-            }
-        }
-        let others = self.named.into_iter().map(|(name, value)| match name {
-            "" => value,
-            _ => named(name, value),
-        });
-        let arguments = self.placed.into_iter().chain(others).collect();
-        let whole = call(self.builtin.name, arguments);
-        Some(match self.part {
-            Some(part) => Expr::new(Kind::Subscript(Box::new(whole), vec![list(vec![part])]), span),
-            None => whole,
-        })
     }
 }

@@ -41,6 +41,7 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
             read.items = vec![Expr { span: first[0].span, ..whole }];
         }
     }
+    triangles(said);
     let mut runs: Vec<(Label, Vec<Equation>)> = Vec::new();
     for read in &mut *said {
         if !matches!(read.label, Label::With | Label::Points | Label::Weights | Label::Knots) {
@@ -77,6 +78,34 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
     }
 }
 
+/// The points of a triangle by their three indices, i and then j descending: b200 = 1, b110 = 2, …
+fn triangles(said: &mut Vec<Read>) {
+    let mut found: Vec<([i64; 3], String, Expr)> = Vec::new();
+    for read in said.iter().filter(|read| matches!(read.label, Label::With | Label::Points)) {
+        for item in &read.items {
+            let Some(one) = Equation::of(item) else { continue };
+            let Some(indices) = one.three() else { continue };
+            found.push((indices, one.letter, one.value));
+        }
+    }
+    let Some((first, letter, _)) = found.first() else { return };
+    let degree: i64 = first.iter().sum();
+    let alike = found.iter().all(|(own, other, _)| own.iter().sum::<i64>() == degree && other == letter);
+    let needed = degree.checked_add(2).and_then(|next| (degree + 1).checked_mul(next)).map(|twice| twice / 2);
+    if !alike || degree < 1 || i64::try_from(found.len()).ok() != needed {
+        return;
+    }
+    found.sort_by_key(|(indices, ..)| std::cmp::Reverse(*indices));
+    if found.windows(2).any(|pair| pair[0].0 == pair[1].0) {
+        return;
+    }
+    for read in said.iter_mut().filter(|read| matches!(read.label, Label::With | Label::Points)) {
+        read.items.retain(|item| Equation::of(item).is_none_or(|one| one.three().is_none()));
+    }
+    said.retain(|read| !read.items.is_empty());
+    said.push(Read { label: Label::Net, items: found.into_iter().map(|(.., value)| value).collect() });
+}
+
 /// A name with its value.
 struct Equation {
     letter: String,
@@ -92,13 +121,34 @@ impl Equation {
         let (letter, index) = match &left.kind {
             Kind::Name(letter) => (letter.clone(), None),
             Kind::Subscript(base, indices) => match (&base.kind, indices.as_slice()) {
-                (Kind::Name(letter), [index]) => (letter.clone(), Some(index.as_int()?)),
+                (Kind::Name(letter), [index]) => (letter.clone(), index.as_int()),
+                (Kind::Name(letter), [_, _, _]) => (letter.clone(), None),
                 _ => return None,
             },
             _ => return None,
         };
         let value = as_list(link.expr.clone());
         (link.rel == crate::formula::Rel::Eq).then(|| Equation { letter, index, value, whole: item.clone() })
+    }
+
+    /// Its three indices: b_{210}, b_{2,1,0}.
+    fn three(&self) -> Option<[i64; 3]> {
+        let Kind::Chain(left, _) = &self.whole.kind else { return None };
+        let Kind::Subscript(_, indices) = &left.kind else { return None };
+        match indices.as_slice() {
+            [i, j, k] => Some([i.as_int()?, j.as_int()?, k.as_int()?]),
+            // b_020, where the zero counts
+            [number] => {
+                let digits = write::text(number);
+                let digits: Vec<i64> =
+                    digits.chars().map(|c| c.to_digit(10).map(i64::from)).collect::<Option<_>>()?;
+                match digits.as_slice() {
+                    [i, j, k] => Some([*i, *j, *k]),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
     }
 
     /// Whether it gives a value rather than a function.
@@ -136,6 +186,29 @@ impl Equation {
             _ => false,
         }
     }
+}
+
+/// Where names with their values stand that have only blanks between them: `b200=1 b020=3`.
+pub(super) fn members(text: &str) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    for word in text.split_whitespace() {
+        let Some(start) = text.get(at..).and_then(|rest| rest.find(word)).map(|start| at + start) else {
+            return Vec::new();
+        };
+        at = start + word.len();
+        let named = word.split_once('=').is_some_and(|(name, value)| {
+            name.starts_with(char::is_alphabetic)
+                && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '{' | '}' | ','))
+                && !value.is_empty()
+                && !value.contains('=')
+        });
+        if !named {
+            return Vec::new();
+        }
+        found.push((start, at));
+    }
+    if found.len() > 1 { found } else { Vec::new() }
 }
 
 /// Where pairs of numbers stand that have only blanks between them: `0,0 1,2 2,0`.

@@ -2,9 +2,9 @@
 
 use super::{Reader, draft, one_term};
 use crate::formula::source::Span;
-use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, call};
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, applied, call};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::syntax::Total;
+use crate::language::syntax::{Count, Total, What, family_index};
 use crate::session::Failure;
 
 impl Reader<'_> {
@@ -35,7 +35,15 @@ impl Reader<'_> {
     }
 
     /// The sum or product of formulas; of lists it is not clear what that is.
-    pub(super) fn joined(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+    pub(super) fn joined(
+        &self,
+        op: BigOp,
+        spans: Vec<Span>,
+        curves: bool,
+    ) -> Result<Option<Expr>, Box<Failure>> {
+        if curves {
+            return self.joined_curves(op, spans);
+        }
         let formulas = spans.into_iter().map(|span| self.one(span)).collect::<Result<Vec<_>, _>>()?;
         let several = |item: &Expr| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Sequence(_));
         if formulas.iter().any(several) {
@@ -52,8 +60,79 @@ impl Reader<'_> {
         Ok(Some(Expr { span, ..whole }))
     }
 
+    /// The sum or product of polynomials by their Bernstein coefficients.
+    fn joined_curves(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+        let mut found: Vec<Expr> = Vec::new();
+        for place in spans {
+            let span = place.shifted(self.start);
+            let points = match self.items(place)?.as_slice() {
+                [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+                [Expr { kind: Kind::Tuple(points), .. }] => draft::list(points.clone()),
+                [_] => return Ok(None),
+                points => draft::list(points.to_vec()),
+            };
+            found.push(call("bezier", vec![points], span));
+        }
+        let joined = |left: Expr, right: Expr| {
+            let span = left.span.to(right.span);
+            match op {
+                BigOp::Product => call("curve_product", vec![left, right], span),
+                _ => {
+                    let term = |expr: Expr| Term { sign: Sign::Plus, expr };
+                    Expr { span, ..Expr::sum(vec![term(left), term(right)]) }
+                }
+            }
+        };
+        Ok(found.into_iter().reduce(joined).filter(|_| matches!(op, BigOp::Product | BigOp::Sum)))
+    }
+
+    /// A number that follows from others: 11 - 3 - 1.
+    pub(super) fn count(&self, count: &Count) -> Result<Expr, Box<Failure>> {
+        let mut terms = Vec::new();
+        for (minus, what) in count {
+            let expr = match what {
+                What::Formula(span) => self.one(*span)?,
+                What::Degree(number) => Expr::int(*number),
+                _ => continue,
+            };
+            terms.push(Term { sign: if *minus { Sign::Minus } else { Sign::Plus }, expr });
+        }
+        let signed = |term: &Term| match term.sign {
+            Sign::Minus => term.expr.as_int().map(|n| -n),
+            Sign::Plus => term.expr.as_int(),
+        };
+        let total: Option<i64> = terms.iter().map(signed).sum();
+        let span = terms.iter().map(|term| term.expr.span).filter(|span| !span.is_empty()).reduce(Span::to);
+        // C^-1 is no error: the curve may jump there.
+        if total.is_some_and(|total| total < 0) && terms.len() > 2 {
+            let problem = Diagnostic::error(Code::Domain, "there is no such spline")
+                .at(span.unwrap_or_default())
+                .reason("m control points of degree n have m + n + 1 knots")
+                .hint("give another degree, or another number of knots or points");
+            return Err(self.fail(problem));
+        }
+        Ok(Expr::sum(terms))
+    }
+
     /// The sum or product that is asked for in words.
     pub(super) fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
+        if total.range == total.body
+            && let Some((index, degree)) = family_index(self.file.slice(total.body.shifted(self.start)))
+        {
+            let body = self.one(total.body)?;
+            let span = total.phrase.shifted(self.start).to(body.span);
+            let name = |text: &str| match text.parse::<i64>() {
+                Ok(number) => Expr { span, ..Expr::int(number) },
+                Err(_) => Expr { span, ..Expr::name(text) },
+            };
+            let body = match &body.kind {
+                Kind::Apply(..) => body,
+                _ => applied(body, vec![Expr { span, ..Expr::name("t") }], span),
+            };
+            let lower = vec![Expr { span, ..Expr::relation(name(index), Rel::Eq, Expr::int(0)) }];
+            let upper = Some(Box::new(name(degree)));
+            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper, body: Box::new(body) }, span));
+        }
         let (range, body) = (self.one(total.range)?, self.one(total.body)?);
         let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
         if let (Some(index), Some(end)) = (total.index, total.end) {

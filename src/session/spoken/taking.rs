@@ -45,6 +45,12 @@ impl Draft {
             self.degree = Some(degree);
             return None;
         }
+        // the biquadratic patch [[0, 1, 2], …]
+        if let ("patch", Some(rows)) = (self.builtin.name, self.placed.first().and_then(Expr::items)) {
+            let size = degree.as_int().and_then(|n| usize::try_from(n + 1).ok());
+            let fits = |row: &Expr| row.items().is_some_and(|row| Some(row.len()) == size);
+            return (Some(rows.len()) != size || !rows.iter().all(fits)).then_some(read);
+        }
         // As many points as the degree says: a cubic 0, 1, 1, 0.
         if let ("bezier" | "lagrange" | "newton" | "triangle_patch", Some(points)) =
             (self.builtin.name, self.placed.first().and_then(Expr::items))

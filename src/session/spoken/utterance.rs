@@ -2,7 +2,7 @@
 
 use super::super::systems::is_equation;
 use super::draft::{self, Draft};
-use super::{Read, apposition, lists, notations};
+use super::{Read, apposition, knots, lists, notations};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::names::bases;
@@ -34,6 +34,14 @@ impl Utterance {
     pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
         // in t = 1
         let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+        let met = label == Label::Through;
+        // from [0, 1] to [0, 2]
+        if label == Label::From
+            && let [Expr { kind: Kind::List(ends), .. }] = items.as_slice()
+            && matches!(ends.as_slice(), [a, b] if a.as_int() == Some(0) && b.as_int() == Some(1))
+        {
+            return;
+        }
         let label = match label {
             Label::In if values => Label::At,
             // forma polare di t^2 in (1, 2)
@@ -45,11 +53,25 @@ impl Utterance {
             // the parabola through (0, 1), (1, 3), (2, 11)
             Label::Through if draft::is_points(&items) && self.drafts.is_empty() => Label::Through,
             Label::Through => {
-                self.through = items.first().map(|item| item.span);
+                self.through = self.through.or(items.first().map(|item| item.span));
                 Label::With
             }
             label => label,
         };
+        // through (0, 2), (1, 0) and (3, 8)
+        if let Some(last) = self.said.last_mut()
+            && self.through.is_some_and(|first| last.items.first().is_some_and(|item| item.span == first))
+            && met
+        {
+            last.items.extend(items);
+            return;
+        }
+        if let (Some(last), Label::Through) = (self.said.last_mut(), label)
+            && last.label == Label::Through
+        {
+            last.items.extend(items);
+            return;
+        }
         self.said.push(Read { label, items });
     }
 
@@ -60,6 +82,12 @@ impl Utterance {
 
     /// Values for the places that have a word. Of a spline they depend on its knots.
     fn take_places(&mut self) {
+        if self.places.contains(&Place::Middle)
+            || self.places.contains(&Place::Start)
+            || self.places.contains(&Place::End)
+        {
+            self.take_places_of_spline();
+        }
         let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
         let (a, b) = match ends {
             Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }])
@@ -86,7 +114,112 @@ impl Utterance {
         }
     }
 
-    fn says(&self, label: Label) -> bool {
+    /// The ends of the interval over which a spline is given, or of its knots for a basis function, are its places.
+    fn take_places_of_spline(&mut self) {
+        let Some(ends) = knots::ends(self) else { return };
+        let over = self.said.iter().any(|read| read.label == Label::Over && read.items.len() == 1);
+        if over {
+            return;
+        }
+        let value = |place: &Place| match place {
+            Place::Start => Some(ends[0].clone()),
+            Place::End => Some(ends[1].clone()),
+            Place::Middle => {
+                let sum = ends.iter().map(|end| Term { sign: Sign::Plus, expr: end.clone().grouped() });
+                Some(Expr::sum(sum.collect()).grouped().over(Expr::int(2)))
+            }
+            Place::Centre => None,
+        };
+        let values: Option<Vec<Expr>> = self.places.iter().map(value).collect();
+        if let Some(values) = values {
+            self.places.clear();
+            self.said.extend(values.into_iter().map(|value| Read { label: Label::At, items: vec![value] }));
+        }
+    }
+
+    /// The values of a spline with knots are its coefficients: linear spline, knots 0, 0, 1, 1, values 3, 5.
+    fn values_of_spline(&mut self) {
+        let spline =
+            self.drafts.iter().any(|draft| matches!(draft.builtin.name, "bspline" | "bspline_basis"));
+        // the quadratic with ordinates 0, 4, 0
+        let takes =
+            |draft: &Draft| draft.builtin.parameters.iter().any(|own| matches!(own.name, "values" | "nodes"));
+        let ordinates = self.items.is_empty()
+            && !self.drafts.iter().any(takes)
+            && !self.said.iter().any(|read| matches!(read.label, Label::Through | Label::At | Label::With));
+        if (spline && self.says(Label::Knots) || ordinates)
+            && !self.says(Label::Points)
+            && !self.says(Label::Nodes)
+        {
+            self.said
+                .iter_mut()
+                .filter(|read| read.label == Label::Values)
+                .for_each(|read| read.label = Label::Points);
+        }
+    }
+
+    /// Points with three indices are those of a triangle.
+    fn triangles(&mut self) {
+        let Some(at) = self.said.iter().position(|read| read.label == Label::Net) else { return };
+        let own = self.drafts.iter().any(|draft| draft.builtin.name == "triangle_patch");
+        if let (true, false, Some(patch)) = (self.drafts.is_empty(), own, builtin("triangle_patch")) {
+            let span = self.said[at].items[0].span;
+            self.drafts.push(Draft::new(patch, span));
+        }
+        self.said[at].label = Label::Points;
+        if own && self.items.is_empty() {
+            self.items = self.said.remove(at).items;
+        }
+    }
+
+    /// Of a conic or a standard form that is asked for by weights alone any points will do.
+    fn weights_alone(&mut self) {
+        let of_weights = |draft: &Draft| matches!(draft.builtin.name, "standard_form" | "conic_kind");
+        if !self.drafts.iter().any(of_weights) || !self.items.is_empty() || self.says(Label::Points) {
+            return;
+        }
+        let Some(weights) = self.said.iter().find(|read| read.label == Label::Weights) else { return };
+        let count = match weights.items.as_slice() {
+            [Expr { kind: Kind::List(items) | Kind::Tuple(items), .. }] => items.len(),
+            items => items.len(),
+        };
+        let span = weights.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+        let point = |i: usize| {
+            let number = |n: usize| Expr { span, ..Expr::int(i64::try_from(n).unwrap_or(0)) };
+            Expr::new(Kind::Tuple(vec![number(i), number(i * (count - 1 - i))]), span)
+        };
+        let points = (0..count).map(point).collect();
+        self.said.push(Read { label: Label::Points, items: points });
+        let curve = |draft: &Draft| draft.builtin.name == "bezier";
+        if let (false, Some(bezier)) = (self.drafts.iter().any(curve), builtin("bezier")) {
+            self.drafts.push(Draft::new(bezier, span));
+        }
+    }
+
+    /// The interval over which a curve is continued stands behind its own: continue 0, 1, 3 on [0, 1] C^1 on [1, 2].
+    fn continued(&mut self) {
+        let Some(at) = self.drafts.iter().position(|draft| draft.builtin.name == "continuation") else {
+            return;
+        };
+        let place = |read: &Read| read.items.first().map_or(0, |item| item.span.start);
+        let intervals = |read: &&Read| {
+            matches!(read.label, Label::Over | Label::To | Label::In)
+                && matches!(read.items.as_slice(), [Expr { kind: Kind::List(ends), .. }] if ends.len() == 2)
+        };
+        let found: Vec<&Read> = self.said.iter().filter(intervals).collect();
+        let Some(last) = found.iter().max_by_key(|read| place(read)) else { return };
+        let Some([start, end]) = last.items[0].items() else { return };
+        let own = found.iter().find(|read| place(read) != place(last)).and_then(|read| read.items[0].items());
+        let begins = own.map_or(Some(1), |ends| ends.get(1).and_then(Expr::as_int));
+        if start.as_int() != begins {
+            return;
+        }
+        let (end, from) = (end.clone(), place(last));
+        self.drafts[at].named.push(("end", end));
+        self.said.retain(|read| !(intervals(&read) && place(read) == from));
+    }
+
+    pub(super) fn says(&self, label: Label) -> bool {
         self.said.iter().any(|read| read.label == label)
     }
 
@@ -95,7 +228,12 @@ impl Utterance {
         if self.drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
             lists::gather(&mut self.items, &mut self.said);
         }
+        knots::uniform(self);
         self.take_places();
+        self.values_of_spline();
+        self.weights_alone();
+        self.triangles();
+        self.continued();
         // the quadratic spline (degree 2)
         let mut degrees: Vec<i64> = Vec::new();
         self.said.retain(|read| match (read.label, read.items.as_slice()) {
@@ -164,6 +302,15 @@ impl Utterance {
 
     /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.
     fn extremes(&mut self) {
+        let curve = self.drafts.iter().any(|draft| draft.builtin.name == "bezier");
+        for draft in self.drafts.iter_mut().filter(|_| curve) {
+            let meant = match draft.builtin.name {
+                "max" => builtin("maximum"),
+                "min" => builtin("minimum"),
+                _ => None,
+            };
+            draft.builtin = meant.unwrap_or(draft.builtin);
+        }
         let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
         if !matches!(of.name, "max" | "min" | "maximum" | "minimum") {
             return;
@@ -329,17 +476,17 @@ impl Utterance {
 
     /// The parabola through points.
     fn interpolants(&mut self) {
-        if let (
-            true,
-            true,
-            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
-        ) = (self.drafts.is_empty(), self.items.is_empty(), self.said.as_slice())
-            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
-            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
+        if !self.drafts.is_empty() || !self.items.is_empty() {
+            return;
+        }
+        let find = |label: Label| self.said.iter().find(|read| read.label == label);
+        let (Some(degree), Some(points)) = (find(Label::OfDegree), find(Label::Through)) else { return };
+        if let ([degree], Some(lagrange)) = (degree.items.as_slice(), builtin("lagrange"))
+            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.items.len()))
         {
-            self.items.clone_from(points);
+            self.items.clone_from(&points.items);
             self.drafts.push(Draft::new(lagrange, self.items[0].span));
-            self.said.clear();
+            self.said.retain(|read| !matches!(read.label, Label::OfDegree | Label::Through));
         }
     }
 

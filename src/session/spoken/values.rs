@@ -128,6 +128,10 @@ pub(super) fn value_of(whole: &Expr, read: &Read, nature: &dyn Fn(&Expr) -> Natu
         };
         return Some(Expr::new(Kind::List(read.items.iter().map(at).collect()), span));
     }
+    // One of the Lagrange polynomials; a parenthesis behind an index would be a factor.
+    if let (Kind::Subscript(..), [value]) = (&whole.kind, read.items.as_slice()) {
+        return Some(call("subs", vec![whole.clone(), crate::formula::named("t", value.clone())], span));
+    }
     let arguments = match read.items.as_slice() {
         // In u and v, or in barycentric coordinates.
         [Expr { kind: Kind::Tuple(items), .. }] => items.clone(),

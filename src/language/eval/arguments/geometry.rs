@@ -27,9 +27,13 @@ impl Arguments {
     pub(crate) fn control_points(&self, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {
         let value = self.value(i)?;
         let (points, scalar) = points_of(value).ok_or_else(|| {
-            wrong_kind("a list of control points", value)
-                .at(self.span(i))
-                .hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
+            let mixed = matches!(value, Value::List(items) if !items.is_empty());
+            let problem = match mixed {
+                true => Diagnostic::error(Code::Type, "these are not all points with as many coordinates")
+                    .reason("numbers and points side by side, or something else among them"),
+                false => wrong_kind("a list of control points", value),
+            };
+            problem.at(self.span(i)).hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
         })?;
         let already = self.flag("homogeneous", false)?;
         let Some((weights, span)) = self.named("weights") else {

@@ -170,6 +170,12 @@ pub(super) fn polynomial(form: Form, place: Span) -> Result<()> {
         .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"))
 }
 
+/// The integral of |c''|^2 of a curve or spline.
+pub(super) fn bending(args: &Arguments) -> crate::language::eval::Evaluated {
+    let (s, _) = spline_of(args, 0)?;
+    Ok(Value::Scalar(spline_energy(&s, 2)))
+}
+
 /// A polynomial curve of any kind as a spline.
 fn spline_of(args: &Arguments, i: usize) -> Result<(BSpline<Fraction>, Form)> {
     let value = args.value(i)?;

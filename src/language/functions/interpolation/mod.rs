@@ -14,7 +14,7 @@ pub(crate) use energy::TABLE as ENERGY;
 pub(crate) use polynomials::TABLE as POLYNOMIALS;
 pub(crate) use spline_fits::TABLE as SPLINE_FITS;
 pub(crate) use splines::TABLE as SPLINES;
-pub(crate) use splines::{ENDS, MOMENTS, SLOPES, ends};
+pub(crate) use splines::{ENDS, MOMENTS, ONE_END, SLOPES, ends};
 
 use super::Builtin;
 

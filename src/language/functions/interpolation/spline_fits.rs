@@ -9,24 +9,25 @@ use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
 use crate::language::functions::differential::coordinates;
 use crate::language::functions::parameter::{
-    DEGREE, KNOTS, NODES, Parameter, SPLINE, Takes, VALUES, named, required, size,
+    DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, Takes, VALUES, named, required, size,
 };
 use crate::language::functions::record::Variant;
 use crate::language::functions::splines::knots_at;
 use crate::language::ops::calculus::nth_derivative;
-use crate::language::ops::errors::{division_by_zero, spline_error, wrong_kind};
-use crate::language::ops::geometry::{scalar_list, spline};
+use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::value::{Form, Value, polynomial_expr};
 use crate::math::approximation::{
     ApproximationError, Smoothing, averaged_knots, de_boor_fix, fitted_spline, interpolating_spline,
     schoenberg,
 };
-use crate::math::curve::Point;
+use crate::math::curve::{BezierCurve, Interval, Point};
 use crate::math::interpolate::InterpolationError;
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use crate::math::spline::{KnotVector, SplineError};
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 const FUNCTION: Parameter = required("F", Takes::Coordinates, "the function, or a list of its coordinates");
 
@@ -121,6 +122,38 @@ pub(crate) const TABLE: &[Builtin] = &[
                 .map_err(approximation_error)
                 .at(args.span(1))?;
             Ok(scalar_list(knots.knots().iter().cloned()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "bernstein_approximation",
+        parameters: &[FUNCTION, DEGREE, START, END],
+        summary: "Bernstein's operator: the sum of F(a + i (b - a)/n) B_i^n over [a, b], or [0, 1]",
+        example: "bernstein_approximation(t^2, 3)",
+        call: |_, args| {
+            let (functions, form) = functions(args)?;
+            let n = args.size(1)?;
+            if n == 0 {
+                return Err(Diagnostic::error(Code::Domain, "the degree is at least 1").at(args.span(1)));
+            }
+            let a = args.optional_scalar(2)?.unwrap_or_else(Fraction::zero);
+            let b = args.optional_scalar(3)?.unwrap_or_else(Fraction::one);
+            let step = b.minus(&a).scaled(&Rational::new(1.into(), n.into()));
+            let point = |i: usize| -> Result<Point<Fraction>> {
+                let x = a.plus(&step.scaled(&Rational::from_integer(i.into())));
+                functions.iter().map(|function| value(function, 0, &x, args)).collect()
+            };
+            let points = (0..=n).map(point).collect::<Result<Vec<_>>>()?;
+            let interval = Interval::new(a, b).map_err(curve_error).at(args.span(0))?;
+            let curve = BezierCurve::new(points, interval).map_err(curve_error).at(args.span(0))?;
+            match (form.scalar, functions.as_slice()) {
+                (true, [(variable, _)]) => {
+                    let t = Fraction::from(MultiPoly::symbol(variable.clone()));
+                    let value = curve.value(&t);
+                    Ok(Value::Scalar(value[0].clone()))
+                }
+                _ => Ok(bezier(curve, form)),
+            }
         },
         ..NEW
     },

@@ -11,8 +11,9 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::functions::Builtin;
 use crate::language::functions::parameter::{
-    NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
+    CURVE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
 };
+use crate::language::functions::record::Variant;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::interpolate::{CubicSpline, End, Ends, Unknowns};
 use crate::math::poly::Fraction;
@@ -104,6 +105,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "bending_energy",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         common: &ONE_END,
+        on_curve: Variant::new(&[CURVE], super::energy::bending),
         summary: "the integral of |S''|^2, which no interpolant makes smaller than the natural spline",
         example: "bending_energy([0, 1, 2], [0, 1, 0])",
         call: |_, args| Ok(Value::Scalar(Given::read(args)?.spline(args)?.bending_energy())),

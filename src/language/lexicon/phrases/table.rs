@@ -1,7 +1,8 @@
 //! The phrases of requests in words, of all languages.
 
 use super::Label::{
-    At, From, In, Knots, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values, Weights, With,
+    At, From, In, Knots, Multiplicity, Nodes, Number, OfDegree, Over, Points, Through, Times, To, Values,
+    Weights, With,
 };
 use super::Phrase::{self, And, Between, Command, Degree, Filler, Flag, Function, Of, Ordinal};
 use super::Place::{Centre, End, Middle, Start};
@@ -57,7 +58,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("roots"),
-        "root~ | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
+        "root~ | a zero | have zero | touch zero | touches zero | cross zero | crosses zero | cross the axis | touch the axis | have zeros | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
          radici | ceros",
     ),
     (
@@ -81,11 +82,17 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Function("discriminant"), "diskriminante | 判别式"),
     (Function("degree"), "polynomial degree"),
+    (
+        Phrase::TrueDegree,
+        "true degree | actual degree | exact degree | real degree | genuine degree | tatsächlicher grad | \
+         tatsächlichen grad | wahrer grad | wahren grad | echter grad | exakter grad | degré réel | degré effectif | \
+         degré exact | grado real | grado verdadero | grado effettivo | 真正的次数 | 实际次数",
+    ),
     (Function("coefficients"), "power coefficients | koeffizienten der potenzbasis"),
     (Function("coefficient"), "coefficient | koeffizient | coeff | 系数"),
     (
         Function("in_bernstein"),
-        "bernstein | bernstein form | bernstein basis | bernstein coefficients | bernstein coeffs | \
+        "bernstein form~ | bernstein 系数 | bernstein基 | bernstein 基 | 伯恩斯坦系数 | bernstein | bernstein basis | bernstein coefficients | bernstein coeffs | \
          coeficientes de bernstein | coefficienti di bernstein | \
          b form | bézier form | bezier form | bernsteinbasis | bernsteinform | \
          bernstein darstellung | bernstein koeffizienten | bernsteinkoeffizienten | \
@@ -121,7 +128,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Function("bezier"),
         "conic | conic section | kegelschnitt | conique | cónica | 二次曲线 | bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
          curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
-         courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
+         bezier function~ | bézier function~ | bézierfunktion~ | bezierfunktion~ | fonction de bézier | función de bézier | \
+         bézierpolynom~ | bezierpolynom~ | bernsteinpolynom mit koeffizienten | courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
          bezier polynomial | bézier polynomial | bezier polygon | bezier segment | bézier segment",
     ),
     (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
@@ -175,12 +183,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("maximum"),
-        "largest | greatest | largest value | maximum value | maximal value | max value | größter wert | maximalwert | \
+        "maximal | maximale~ | am größten | largest | greatest | largest value | maximum value | maximal value | max value | größter wert | maximalwert | \
          plus grande valeur | valeur maximale | 最大值",
     ),
     (
         Function("minimum"),
-        "smallest | least | smallest value | least value | minimum value | minimal value | min value | kleinster wert | \
+        "minimal | minimale~ | am kleinsten | smallest | least | smallest value | least value | minimum value | minimal value | min value | kleinster wert | \
          minimalwert | plus petite valeur | valeur minimale | 最小值",
     ),
     (Command("min"), "which is smaller | which is less | was ist kleiner | smaller"),
@@ -214,7 +222,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("bspline"),
         "nurbs | nurbs curve~ | rational b spline | spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
-         b样条曲线",
+         b样条曲线 | 样条 | 样条曲线",
     ),
     (
         Function("patch"),
@@ -224,7 +232,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("triangle_patch"),
-        "triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
+        "triangle patch | triangle bezier patch | dreieckspatch | triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
          triangular patch | bézierdreieck | bezierdreieck | triangle de bézier",
     ),
     (
@@ -245,6 +253,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
     ),
     (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
+    (
+        Function("subdivide_polygon"),
+        "four point subdivision | four point scheme | 4 point scheme | four point | vierpunktschema | vier punkt schema | schéma à quatre points | \
+         esquema de cuatro puntos | schema a quattro punti | 四点格式 | 四点法 | 四点细分",
+    ),
     (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
     (
         Function("barycentric"),
@@ -293,12 +306,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Place(Middle),
-        "in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
+        "its middle knot | the middle knot | middle knot | at its middle knot | at the middle knot | am mittleren knoten | au nœud central | en el nudo central | at its middle | in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
          en el medio | por la mitad | nel mezzo | in half | in two halves | in zwei hälften | en deux moitiés",
     ),
     (
         Phrase::Place(Centre),
-        "at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
+        "at barycentre | at barycenter | at centroid | at its barycentre | at its barycenter | at its centroid | at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
          en el baricentro | nel baricentro | at the center | at the centre",
     ),
     (
@@ -311,7 +324,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Where,
-        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
+        "and where it is attained | where it is attained | and where is it attained | wo es angenommen wird | and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | how big is it | how big is it there | how large is it there | wie groß ist es | wie groß | \
          and how large is it | what is it there | wo | und wo | et où | y dónde | dónde | e dove | 在哪里",
     ),
     (
@@ -338,6 +351,29 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
          polynomial through | polynom durch | polynôme passant par | polinomio por | \
          polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
+    ),
+    (
+        Function("cubic_spline"),
+        "natural cubic spline | natural spline | natürlicher kubischer spline | natürlicher spline | spline cubique naturelle | \
+         spline cúbico natural",
+    ),
+    (
+        Command("over"),
+        "reparametrise | reparametrize | reparameterise | reparameterize | umparametrisieren | reparamétrer",
+    ),
+    (
+        Command("continuation"),
+        "continue | continue it | continue smoothly | next | next curve | next segment | next piece | following segment | setze fort | \
+         fortsetzen | nächstes segment | prolonge par | continúa | siguiente segmento | 延拓",
+    ),
+    (
+        Function("continuation"),
+        "continuation | smooth continuation | fortsetzung | prolongement | continuación | continuazione",
+    ),
+    (
+        Command("standard_form"),
+        "normalise | normalize | normalised | normalized | normiere | normalisiere | normaliser | normaliza | \
+         normalizza",
     ),
     (
         Function("hermite"),
@@ -373,9 +409,12 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Degree(1), "linear~ | linéaire~ | 线性"),
     (
         Degree(2),
-        "parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
+        "biquadratic~ | biquadratisch~ | biquadratique~ | bilinear~ | bilinéaire~ | parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
     ),
-    (Degree(3), "cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
+    (
+        Degree(3),
+        "bicubic~ | bikubisch~ | bicubique~ | trilinear~ | trilinéaire~ | cubic~ | kubisch~ | cubique~ | cúbic~ | 三次",
+    ),
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
@@ -396,10 +435,78 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          dei | 的",
     ),
     (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
-    (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
+    (
+        Phrase::Multiplicity(1),
+        "simple knot | single knot | einfachen knoten | einfacher knoten | nœud simple | nudo simple",
+    ),
+    (
+        Phrase::Multiplicity(2),
+        "double knot | doppelten knoten | doppelter knoten | doppelknoten | nœud double | nudo doble | 二重节点",
+    ),
+    (
+        Phrase::Multiplicity(3),
+        "triple knot | dreifachen knoten | dreifacher knoten | nœud triple | nudo triple | 三重节点",
+    ),
+    (
+        Phrase::Label(Multiplicity),
+        "knot of multiplicity | knot with multiplicity | multiplicity | knoten der vielfachheit | vielfachheit | \
+         nœud de multiplicité | multiplicité | nudo de multiplicidad | multiplicidad | 重数",
+    ),
+    (
+        Phrase::Using,
+        "using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda",
+    ),
+    (Phrase::Has, "has | have a | hat | haben | tiene | possède | besitzt"),
+    (
+        Phrase::First(2),
+        "first two | ersten beiden | ersten zwei | deux premiers | primeros dos | dos primeros | 前两个",
+    ),
+    (Phrase::First(3), "first three | ersten drei | trois premiers | tres primeros | 前三个"),
+    (Phrase::First(4), "first four | ersten vier | quatre premiers | cuatro primeros | 前四个"),
+    (Phrase::Uniform, "uniform~ | gleichmäßig~ | equidistant~ | äquidistant~ | équidistant~ | 均匀"),
+    (Phrase::Curve, "curve | curve with | kurve | courbe | curva~ | 曲线"),
+    (Phrase::Apply, "apply | wende | appliquer | applique | aplicar | aplica | applica"),
+    (
+        Phrase::AppliedTo,
+        "applied to | angewandt auf | angewendet auf | appliqué à | appliqué sur | aplicado a | applicato a | 作用于",
+    ),
+    (
+        Function("support"),
+        "nonzero | non zero | not zero | ungleich null | träger | soporte | supporto | 支集 | 支撑 | support interval | trägerintervall",
+    ),
+    (
+        Function("bernstein_approximation"),
+        "bernstein operator | bernsteinoperator | bernstein approximant | bernsteinapproximation | opérateur de bernstein | \
+         operador de bernstein | operatore di bernstein | 伯恩斯坦算子",
+    ),
+    (
+        Function("smoothness"),
+        "how smooth | glattheit | wie glatt | régularité | suavidad | differentiability | differenzierbarkeit | 光滑性",
+    ),
+    (
+        Function("diagonal"),
+        "polynomial whose | polynom dessen | polynôme dont la | polynôme dont | \
+         polinomio cuya | polinomio la cui",
+    ),
+    (
+        Function("conic_kind"),
+        "type of conic | kind of conic | conic type | type of the conic | art des kegelschnitts | kegelschnittart | \
+         type de conique | tipo de cónica | what conic | which conic | what kind of conic | what type of conic | welcher kegelschnitt | \
+         quelle conique | qué cónica",
+    ),
+    (
+        Phrase::Is,
+        "est elle | est il | is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt",
+    ),
     (
         Phrase::Equals,
-        "equals | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+        "equals | equal | be equal to | vaut | vaut elle | vaut il | vale | 的值为 | 等于 | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+    ),
+    (
+        Phrase::Takes,
+        "has value | has the value | have value | have the value | takes value | takes the value | take the value | \
+         hat den wert | hat wert | a la valeur | a pour valeur | prend la valeur | tiene el valor | tiene valor | toma el valor | \
+         ha il valore",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (
@@ -409,7 +516,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
@@ -447,7 +554,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Knots),
-        "knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
+        "uniform knots | knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
          vecteur nodal | 节点",
     ),
     (Phrase::Label(Nodes), "nodes | node | stützstellen | abscissae | abscissas | abscisses"),
@@ -466,19 +573,20 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
+        "what | representation | darstellung | représentation | representación | eine | einem | einen | einer | eines | forma | forme | intermediate points | all intermediate points of | zwischenpunkte | points intermédiaires | new | neue~ | nouveau~ | nouvelle~ | nuev~ | if so | wenn ja | si oui | if yes | need | needs | needed | braucht | brauchen | benötigt | necesita | \
+         all the | alle | aller | tous les | toutes les | todos los | todas las | really | actually | halves | to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
-         value of | point | point on | exactly | exact | polynomial | function | curve | curve with | funktion | kurve | \
+         value of | point | point on | exactly | exact | polynomial | function | funktion | \
          polynom | was ist | berechne | bestimme | finde | gib | wandle | schreibe | um | die | \
          das | den | dem | calcule | calculer | calculez | donne | donner | donnez | trouvez | déterminez | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
-         écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
-         求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 点 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
+         écrire | quelle est | quel est | polynôme | svp | bitte | matrix | \
+         求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 点 | 请 | 矩阵 | 多项式 | 函数 | 过点 | poly | \
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
          wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
-         curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
+         wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments | \
          wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \

@@ -16,8 +16,10 @@ impl Reader<'_> {
                         | Part::Phrase(Phrase::Function(_) | Phrase::Degree(_) | Phrase::Rational, _)
                 )
             );
-        matches!(self.phrase(), Some(Phrase::Label(_) | Phrase::Place(_) | Phrase::Flag(..)))
-            || says_degree
+        matches!(
+            self.phrase(),
+            Some(Phrase::Label(_) | Phrase::Place(_) | Phrase::Flag(..) | Phrase::Uniform)
+        ) || says_degree
             || self.at_points()
     }
 

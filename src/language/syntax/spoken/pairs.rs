@@ -62,7 +62,7 @@ impl Reader<'_> {
                 Part::Phrase(Phrase::Label(Label::Over), _) if !over && !curves.is_empty() => over = true,
                 Part::Phrase(Phrase::Degree(degree), _) => degrees.push(*degree),
                 Part::Phrase(
-                    Phrase::Function("bezier" | "continuity" | "geometric_continuity")
+                    Phrase::Function("bezier" | "continuity" | "geometric_continuity" | "smoothness")
                     | Phrase::Is
                     | Phrase::And
                     | Phrase::Of

@@ -1,16 +1,52 @@
 //! Sums and products in words.
 
-use super::{Reader, Total};
+use super::{Call, Reader, Said, Total, What};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation};
 
 impl Reader<'_> {
-    /// The formulas that are added or multiplied, if they stand side by side: t + 1 and t - 1.
-    pub(super) fn joined(&mut self) -> Option<Vec<Span>> {
+    /// The Bernstein polynomials of degree 3, all of which are added.
+    pub(super) fn all_of_them(&mut self, op: BigOp) -> Option<Call> {
+        let start = self.at;
+        while self.take(Phrase::Of) {}
+        let mut labels = Vec::new();
+        while let Some(Phrase::Degree(degree)) = self.phrase() {
+            labels.push(Said { label: Label::OfDegree, what: What::Degree(degree) });
+            self.at += 1;
+        }
+        if let (
+            BigOp::Sum,
+            Some(Part::Phrase(Phrase::Function(function @ ("bernstein" | "bspline_basis")), phrase)),
+        ) = (op, self.next())
+        {
+            self.at += 1;
+            while self.at_label()
+                && let Some(said) = self.said()
+            {
+                labels.extend(said);
+            }
+            return Some(Call { function, phrase, subject: None, labels, part: None });
+        }
+        self.at = start;
+        None
+    }
+
+    /// The formulas that are added or multiplied, if they stand side by side: t + 1 and t - 1; and whether words say that they
+    /// are Bernstein coefficients.
+    pub(super) fn joined(&mut self) -> Option<(Vec<Span>, bool)> {
         let start = self.at;
         self.take(Phrase::Of);
+        let own = |part: &Part| {
+            matches!(part, Part::Phrase(Phrase::Function("in_bernstein" | "bernstein" | "bezier"), _))
+        };
+        let curves = self.parts.iter().any(own);
+        while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
+            || self.next().as_ref().is_some_and(own)
+        {
+            self.at += 1;
+        }
         let mut found = Vec::new();
         while let Some(Part::Piece(span)) = self.next() {
             self.at += 1;
@@ -21,8 +57,14 @@ impl Reader<'_> {
             }
         }
         let equations = found.iter().any(|span| self.text.piece(span.range()).contains('='));
+        // in Bernstein form
+        if found.len() > 1 && curves {
+            while self.take(Phrase::Label(Label::In)) || self.next().as_ref().is_some_and(own) {
+                self.at += usize::from(self.next().as_ref().is_some_and(own));
+            }
+        }
         if found.len() > 1 && !equations && self.next().is_none() {
-            return Some(found);
+            return Some((found, curves));
         }
         self.at = start;
         None
@@ -70,8 +112,19 @@ impl Reader<'_> {
                     self.at += 1;
                     end = Some(piece(self)?);
                 }
+                _ if range.is_none()
+                    && body.is_some_and(|body| family_index(self.text.piece(body.range())).is_some()) =>
+                {
+                    break;
+                }
                 _ => return None,
             }
+        }
+        // the sum of all B_i^4
+        if range.is_none()
+            && let Some(family) = body.filter(|body| family_index(self.text.piece(body.range())).is_some())
+        {
+            return Some(Total { op, phrase, body: family, range: family, end: None, index: None });
         }
         let range = range.filter(|range| index.is_some() || is_range(*range))?;
         if index.is_some() && end.is_none() {
@@ -79,4 +132,16 @@ impl Reader<'_> {
         }
         Some(Total { op, phrase, body: body?, range, end, index })
     }
+}
+
+/// The letter of the index and the degree of all members of a family: B_i^4.
+pub(crate) fn family_index(text: &str) -> Option<(&str, &str)> {
+    let rest = text.strip_prefix('B')?.strip_prefix('_')?;
+    let (index, upper) = rest.split_once('^')?;
+    let index = index.trim_start_matches('{').trim_end_matches('}');
+    let upper = upper.split('(').next()?.trim();
+    let upper = upper.trim_start_matches('{').trim_end_matches('}');
+    let letter = index.chars().count() == 1 && index.chars().all(|c| matches!(c, 'i' | 'j' | 'k'));
+    let degree = !upper.is_empty() && upper.chars().all(char::is_alphanumeric);
+    (letter && degree).then_some((index, upper))
 }

@@ -1,0 +1,93 @@
+//! Fractions in words: one third, drei Viertel, 三分之一.
+
+use super::letters::is_ideograph;
+
+/// Words, and the digits in their place.
+const FRACTIONS: &[(&str, &str)] = &[
+    ("one half", "1/2"),
+    ("a half", "1/2"),
+    ("one third", "1/3"),
+    ("a third", "1/3"),
+    ("two thirds", "2/3"),
+    ("one quarter", "1/4"),
+    ("a quarter", "1/4"),
+    ("three quarters", "3/4"),
+    ("one fourth", "1/4"),
+    ("three fourths", "3/4"),
+    ("one fifth", "1/5"),
+    ("ein halb", "1/2"),
+    ("einhalb", "1/2"),
+    ("ein drittel", "1/3"),
+    ("einem drittel", "1/3"),
+    ("zwei drittel", "2/3"),
+    ("ein viertel", "1/4"),
+    ("einem viertel", "1/4"),
+    ("drei viertel", "3/4"),
+    ("dreiviertel", "3/4"),
+    ("un demi", "1/2"),
+    ("un tiers", "1/3"),
+    ("deux tiers", "2/3"),
+    ("un quart", "1/4"),
+    ("trois quarts", "3/4"),
+    ("un medio", "1/2"),
+    ("un tercio", "1/3"),
+    ("dos tercios", "2/3"),
+    ("un cuarto", "1/4"),
+    ("tres cuartos", "3/4"),
+    ("un mezzo", "1/2"),
+    ("un terzo", "1/3"),
+    ("due terzi", "2/3"),
+    ("un quarto", "1/4"),
+    ("tre quarti", "3/4"),
+    ("二分之一", "1/2"),
+    ("三分之一", "1/3"),
+    ("三分之二", "2/3"),
+    ("四分之一", "1/4"),
+    ("四分之三", "3/4"),
+];
+
+/// The words behind a fraction that make it a part of something else: one half of the curve, a third root.
+const OF: &[&str] =
+    &["of", "von", "der", "des", "de", "du", "root", "derivative", "degree", "order", "knot", "point"];
+
+/// A text with digits and blanks for its fractions in words, so that all places stay the same; `None` if it has none.
+pub(crate) fn with_digits(text: &str) -> Option<String> {
+    let lower = text.to_lowercase();
+    // Some letters are longer in small.
+    if lower.len() != text.len() {
+        return None;
+    }
+    let mut found: Option<Vec<u8>> = None;
+    for (words, digits) in FRACTIONS {
+        for (at, _) in lower.match_indices(words) {
+            let ideographs = words.starts_with(is_ideograph);
+            let before = lower.get(..at).and_then(|text| text.chars().next_back());
+            let rest = lower.get(at + words.len()..).unwrap_or_default();
+            let apart =
+                !before.is_some_and(char::is_alphanumeric) && !rest.starts_with(char::is_alphanumeric);
+            let next: String = rest.trim_start().chars().take_while(|c| c.is_alphabetic()).collect();
+            if !(apart || ideographs) || OF.contains(&next.as_str()) {
+                continue;
+            }
+            let bytes = found.get_or_insert_with(|| text.as_bytes().to_vec());
+            if let Some(place) = bytes.get_mut(at..at + words.len()) {
+                place.fill(b' ');
+                place.iter_mut().zip(digits.bytes()).for_each(|(place, digit)| *place = digit);
+            }
+        }
+    }
+    found.and_then(|bytes| String::from_utf8(bytes).ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_digits;
+
+    #[test]
+    fn fractions_are_digits() {
+        assert_eq!(with_digits("at one third").as_deref(), Some("at 1/3      "));
+        assert_eq!(with_digits("一半在三分之一处").map(|text| text.contains("1/3")), Some(true));
+        assert_eq!(with_digits("a third root"), None);
+        assert_eq!(with_digits("at 1/3"), None);
+    }
+}
