@@ -304,6 +304,10 @@ pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
         PHRASES.iter().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
     close.find(|name| {
         let stem = name.trim_end_matches('~');
+        // No word in letters is meant for one with other signs.
+        if stem.contains(is_ideograph) && !word.contains(is_ideograph) {
+            return false;
+        }
         match stem.split_once(' ') {
             Some((first, second)) => second == next && first != word && nearest(word, [first]).is_some(),
             None => word.len() > SHORTEST_MISSPELLED && stem != word && nearest(word, [stem]).is_some(),

@@ -106,7 +106,7 @@ pub fn is_with_some_data(words: &str) -> bool {
     last_clause(words).is_some_and(|(first, count)| {
         let written = |cue: &str| cue.chars().all(|c| c > '\u{2e7f}');
         let chinese = |cue: &&str| written(cue) && first.starts_with(*cue) && first.chars().count() <= 8;
-        WITH.contains(&first.as_str()) && count <= 4 || WITH.iter().any(|cue| chinese(cue))
+        WITH.contains(&first.as_str()) && count <= 4 || WITH.iter().any(chinese)
     })
 }
 
