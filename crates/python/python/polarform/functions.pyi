@@ -89,6 +89,7 @@ __all__ = [
     "over",
     "hodograph",
     "antiderivative",
+    "support",
     "domain",
     "differences",
     "edges",
@@ -186,6 +187,7 @@ __all__ = [
     "clough_tocher",
     "powell_sabin",
     "joining_conditions",
+    "continuation",
     "continuity",
     "geometric_continuity",
     "connection_matrix",
@@ -221,6 +223,7 @@ __all__ = [
     "interpolating_spline",
     "least_squares_spline",
     "averaged_knots",
+    "bernstein_approximation",
     "schoenberg",
     "deboor_fix",
     "gram",
@@ -592,7 +595,7 @@ def derive(subject: Literal["coons"], bottom: Argument, top: Argument, left: Arg
 @overload
 def derive(subject: Literal["multirational"], F: Argument, u: Items, v: Items, *, variable: Argument | None = None, lang: Literal["en", "zh"] | None = None) -> Value: ...
 @overload
-def derive(subject: Literal["moments"], nodes: Items, values: Items, ends: Literal["natural", "clamped", "periodic", "not_a_knot"] | None = None, *, slopes: Items | None = None, moments: Items | None = None, lang: Literal["en", "zh"] | None = None) -> Value: ...
+def derive(subject: Literal["moments"], nodes: Items, values: Items, ends: Literal["natural", "clamped", "periodic", "not_a_knot"] | None = None, *, slopes: Items | None = None, moments: Items | None = None, first_slope: Items | None = None, last_slope: Items | None = None, first_moment: Items | None = None, last_moment: Items | None = None) -> Value: ...
 def lagrange(nodes: Items, values: Items, *, variable: Argument | None = None) -> Value: ...
 def lagrange_basis(nodes: Items, *, variable: Argument | None = None) -> Value: ...
 def barycentric_weights(nodes: Items) -> Value: ...
