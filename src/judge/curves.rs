@@ -208,8 +208,8 @@ impl Checker {
         };
         let curve = |letter: &str| {
             let points = known(letter);
-            let weights = WEIGHTS.iter().map(|letter| known(letter)).find(|weights| !weights.is_empty());
-            let weights = weights.filter(|_| rational).unwrap_or_default();
+            let mut given = WEIGHTS.iter().filter(|_| rational).map(|letter| known(letter));
+            let weights = given.find(|weights| !weights.is_empty()).unwrap_or_default();
             let degree = Expr::int(points.len() as i64 - 1);
             let whole = points.len() > 2 && (!rational || weights.len() == points.len());
             (whole && !WEIGHTS.contains(&letter)).then(|| Curve {

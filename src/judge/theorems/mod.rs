@@ -68,10 +68,10 @@ impl Checker {
                 continue;
             }
             // a(z) = Σ a_k z^k = (1 + z)^n: what is said of the sum is said of a(z).
-            let lefts =
-                [at, 0].into_iter().take(1 + usize::from(at > 0 && Head::of(&chain.sides[0].expr).is_some()));
+            let whole = at > 0 && Head::of(&chain.sides[0].expr).is_some();
+            let mut lefts = std::iter::once(at).chain(whole.then_some(0));
             let found = budget::run(&limits, || {
-                lefts.into_iter().find_map(|left| self.by_theorems(chain, left, at, statement, finding))
+                lefts.find_map(|left| self.by_theorems(chain, left, at, statement, finding))
             });
             let Ok(Some((found, agreement))) = found else { continue };
             self.agreements.extend(agreement);
@@ -174,11 +174,12 @@ impl Checker {
         let own = Head::of(&chain.sides[0].expr).map(|head| head.base);
         let mut result = side.clone();
         let head = Head::of(side).filter(|head| head.arguments.is_none());
+        let is_member = |part: &Expr| matches!(part.kind, Kind::Subscript(..));
         let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
         if let Some(head) = head.filter(given)
             && let Some(value) = self.unfolded(side, place, Choices::default())
             // A count stays as it is, the midpoint m does not.
-            && (!head.lower.is_empty() || !is_index_letter(&head.base) || contains_members(&value))
+            && (!head.lower.is_empty() || !is_index_letter(&head.base) || value.has(&is_member))
         {
             return value.without_spans();
         }
@@ -396,13 +397,6 @@ impl Checker {
             Trial::new(nothing, &setting, vec![one, other], vec![Rel::Eq], Choices::default(), &self.limits);
         repair::is_true(&trial.first(4), true) && repair::is_true(&trial.run(), false)
     }
-}
-
-/// Whether members of families stand in a formula.
-fn contains_members(expr: &Expr) -> bool {
-    let mut found = false;
-    walk(expr, &mut |part| found |= matches!(part.kind, Kind::Subscript(..)));
-    found
 }
 
 /// What a section and the form of a claim in it speak of.

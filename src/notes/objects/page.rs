@@ -1,5 +1,6 @@
 //! What the formulas of a page say, for whoever looks at paragraphs or sections as a whole.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::contact::numbers;
@@ -83,12 +84,19 @@ pub(super) fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
 }
 
 /// What formulas say of each member: (b_0, b_1, b_2) = (1, 4, 2) is b_0 = 1, b_1 = 4, b_2 = 2.
-pub(super) fn by_members(formulas: &BTreeMap<usize, Vec<Expr>>) -> BTreeMap<usize, Vec<Expr>> {
+pub(super) fn by_members(formulas: &BTreeMap<usize, Vec<Expr>>) -> Cow<'_, BTreeMap<usize, Vec<Expr>>> {
     let apart = |said: &Expr| match &said.kind {
-        Kind::Chain(first, links) => members(first, links).unwrap_or_else(|| vec![said.clone()]),
-        _ => vec![said.clone()],
+        Kind::Chain(first, links) => members(first, links),
+        _ => None,
     };
-    formulas.iter().map(|(number, said)| (*number, said.iter().flat_map(apart).collect())).collect()
+    let mut all = Cow::Borrowed(formulas);
+    for (number, said) in formulas {
+        if said.iter().any(|one| apart(one).is_some()) {
+            let each = said.iter().flat_map(|one| apart(one).unwrap_or_else(|| vec![one.clone()]));
+            all.to_mut().insert(*number, each.collect());
+        }
+    }
+    all
 }
 
 fn members(first: &Expr, links: &[Link]) -> Option<Vec<Expr>> {
