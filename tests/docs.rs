@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use polarform::functions::{BUILTINS, Parameter, Takes};
+use polarform::functions::{BUILTINS, Gives, Parameter, Takes};
 use polarform::session::Session;
 use polarform::value::{Value, Verdict};
 
@@ -184,11 +184,13 @@ fn the_function_reference_is_up_to_date() {
         }
         let (name, signature, summary) = (builtin.name, builtin.signature(), builtin.summary);
         assert!(!builtin.example.contains(['"', '\\', '$', '`']), "{name}: the example needs no quoting");
-        write!(page, "\n### {name}\n`{signature}`: {summary}.\n\n").unwrap();
+        let gives = given(builtin.gives, " Gives ", ".");
+        write!(page, "\n### {name}\n`{signature}`: {summary}.{gives}\n\n").unwrap();
         list(&mut page, "", builtin.parameters.iter().chain(builtin.common));
-        for (form, parameters) in builtin.other_forms() {
-            writeln!(page, "- for {}: `{form}`", of_what(parameters)).unwrap();
-            list(&mut page, "  ", parameters.iter().skip(1));
+        for (form, variant) in builtin.other_forms() {
+            let gives = given(variant.gives, ", ", "");
+            writeln!(page, "- for {}: `{form}`{gives}", of_what(variant.parameters)).unwrap();
+            list(&mut page, "  ", variant.parameters.iter().skip(1));
         }
         for subject in builtin.subjects {
             writeln!(page, "- `{}`: {}", subject.signature(), subject.summary).unwrap();
@@ -197,6 +199,12 @@ fn the_function_reference_is_up_to_date() {
         write!(page, "\n```console\n$ polarform eval \"{}\"\n```\n", builtin.example).unwrap();
     }
     settle(&root().join("docs/functions.md"), &filled(&page));
+}
+
+/// What a function gives, where that can be said.
+fn given(gives: Gives, before: &str, after: &str) -> String {
+    let known = (gives != Gives::Any).then(|| gives.description());
+    known.map_or_else(String::new, |what| format!("{before}{what}{after}"))
 }
 
 /// A small list of parameters.

@@ -200,7 +200,8 @@ fn with_range(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
         return None;
     };
     // Of surfaces the parameters have names.
-    let elsewhere = own.other_forms().any(|(_, others)| others.iter().any(|other| other.name == letter));
+    let elsewhere =
+        own.other_forms().any(|(_, others)| others.parameters.iter().any(|other| other.name == letter));
     if has(letter) || elsewhere || !roles::is_variable(letter) {
         return None;
     }

@@ -26,7 +26,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
-use crate::language::functions::{Takes, builtin, function_in_words};
+use crate::language::functions::{Gives, Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::{Label, Place};
 use crate::language::lexicon::{fractions, roles};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
@@ -562,12 +562,13 @@ impl Reader<'_> {
             },
             _ => None,
         };
-        if function.is_some_and(|function| function.gives_function && function.name != "derivative") {
+        if function.is_some_and(|function| function.gives == Gives::Function && function.name != "derivative")
+        {
             return Nature::Other;
         }
         match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
             Ok(outcome) if outcome.value.as_rational().is_some() => match function {
-                Some(function) if function.gives_function => Nature::Other,
+                Some(function) if function.gives == Gives::Function => Nature::Other,
                 _ => Nature::Number,
             },
             Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,

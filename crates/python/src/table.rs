@@ -40,7 +40,7 @@ fn parameter<'py>(py: Python<'py>, parameter: &Parameter) -> PyResult<Bound<'py,
     entry.set_item("form", parameter.form)?;
     entry.set_item("need", need)?;
     entry.set_item("kind", kind(parameter.kind))?;
-    entry.set_item("words", parameter.kind.words().to_vec())?;
+    entry.set_item("words", parameter.kind.words())?;
     entry.set_item("doc", parameter.explanation())?;
     Ok(entry)
 }
@@ -65,8 +65,8 @@ fn entry<'py>(py: Python<'py>, function: &'static Builtin) -> PyResult<Bound<'py
     entry.set_item("example", function.example)?;
     entry.set_item("parameters", parameters(py, function.parameters.iter().chain(function.common))?)?;
     let variants = PyList::empty(py);
-    for (form, list) in function.other_forms() {
-        variants.append((form, parameters(py, list.iter())?))?;
+    for (form, variant) in function.other_forms() {
+        variants.append((form, parameters(py, variant.parameters.iter())?))?;
     }
     entry.set_item("variants", variants)?;
     let subjects = PyList::empty(py);

@@ -87,6 +87,11 @@ impl Arguments {
         self.places[place] = Some((value, span));
     }
 
+    /// Moves the arguments from a place on to the next ones.
+    pub(crate) fn leave_out(&mut self, place: usize) {
+        self.places.insert(place, None);
+    }
+
     /// Removes the argument at a place, where there is one; later ones move up.
     pub(crate) fn take_place(&mut self, place: usize) -> Option<(Value, Span)> {
         (place < self.places.len()).then(|| self.places.remove(place)).flatten()
@@ -338,13 +343,4 @@ fn size_of(value: &Value, span: Span) -> Result<usize> {
             None => wrong_kind("an integer that is 0 or more", value).at(span),
         },
     )
-}
-
-/// A word as an argument: a text, or the bare name of a function.
-pub(crate) fn word_of(value: &Value) -> Option<&str> {
-    match value {
-        Value::Text(word) => Some(word),
-        Value::Builtin(word) => Some(word),
-        _ => None,
-    }
 }

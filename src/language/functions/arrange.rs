@@ -2,7 +2,8 @@
 
 use super::Builtin;
 use super::builtin;
-use super::parameter::{CURVE, Parameter, SURFACE, Takes, VARIABLE, alternatives, named, optional, required};
+use super::gives::Gives;
+use super::parameter::{CURVE, Parameter, SURFACE, VARIABLE, named, optional, required};
 use super::record::Variant;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Term};
@@ -10,6 +11,7 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine, call_geometry};
 use crate::language::ops::errors::{curve_error, polar_error, wrong_kind};
 use crate::language::ops::formula::{Univariate, is_parameter};
+use crate::language::ops::takes::{Takes, alternatives};
 use crate::language::value::{Form, Geometry, Notation, Value, exact_term, grouped_expr, in_powers_of};
 use crate::math::blossom::PolarError;
 use crate::math::curve::{BezierCurve, Interval};
@@ -96,6 +98,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "expand",
         parameters: &[required("F", Takes::Any, "the formula")],
         summary: "the formula multiplied out",
+        gives: Gives::Scalar,
         example: "expand((t - a)(t - b))",
         call: |_, args| {
             let value = args.value(0)?.clone();
@@ -108,6 +111,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "factor",
         parameters: &[required("F", Takes::Scalar, "the polynomial or rational function, or an integer")],
         summary: "the irreducible factors over Q, of a number the primes",
+        gives: Gives::Scalar,
         example: "factor(2 t^4 - 8 t^2)",
         each: true,
         call: |_, args| {
@@ -124,6 +128,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "simplify",
         parameters: &[required("F", Takes::Any, "the formula")],
         summary: "the formula in lowest terms, grouped (every answer is written that way)",
+        gives: Gives::Scalar,
         example: "simplify((t^2 - 1)/(t - 1))",
         call: |_, args| Ok(args.value(0)?.clone()),
         ..NEW
@@ -135,6 +140,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("variable", Takes::Variable, "the only variable, or t", "its variable").shown("t"),
         ],
         summary: "the polynomial by descending powers of its variable, with their coefficients",
+        gives: Gives::Scalar,
         example: "collect(a x + b x + c, x)",
         call: |_, args| {
             let given = args.optional_symbol(1)?;
@@ -150,9 +156,11 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "the polynomial by powers of t - a: its expansion by Taylor's formula",
+        gives: Gives::Any,
         example: "in_powers(t^3, 1)",
         on_curve: Variant::new(
             &[CURVE, optional("a", Takes::Scalar, "0", "the point at which it is expanded")],
+            Gives::Any,
             curve_in_powers,
         ),
         call: |_, args| {
@@ -171,9 +179,10 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "the polynomial as a combination of Bernstein polynomials over [a, b]",
+        gives: Gives::Any,
         example: "in_bernstein(t^2, 3)",
-        on_curve: Variant::new(&[CURVE], |args| Ok(in_its_basis(args.value(0)?))),
-        on_surface: Variant::new(&[SURFACE], |args| Ok(in_its_basis(args.value(0)?))),
+        on_curve: Variant::new(&[CURVE], Gives::Any, |args| Ok(in_its_basis(args.value(0)?))),
+        on_surface: Variant::new(&[SURFACE], Gives::Any, |args| Ok(in_its_basis(args.value(0)?))),
         call: |_, args| in_bernstein(args),
         ..NEW
     },

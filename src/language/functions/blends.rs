@@ -1,13 +1,15 @@
 //! Surfaces made of curves: ruled, swept, blended and turned.
 
 use super::Builtin;
+use super::gives::Gives;
 use super::joins::polynomial_pair;
-use super::parameter::{Parameter, Takes, required};
+use super::parameter::{Parameter, required};
 use super::rational::turned;
 use super::surfaces::tensor;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value};
 use crate::math::curve::{self, BezierCurve, CurveError, RationalCurve};
 use crate::math::poly::Fraction;
@@ -34,6 +36,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "ruled",
         parameters: &[FIRST, SECOND],
         summary: "the ruled surface (1 - v) c(u) + v d(u) of two polynomial curves",
+        gives: Gives::Surface,
         example: "ruled(bezier([[0, 0, 0], [1, 0, 0]]), bezier([[0, 1, 0], [1, 1, 1]]))",
         call: |_, args| {
             let (c, d, form) = pair(args)?;
@@ -45,6 +48,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "sweep",
         parameters: &[FIRST, required("d", Takes::Curve, "the curve along which it is moved, in v")],
         summary: "the surface c(u) + d(v) - d(a) that c sweeps when it is moved along d from where d starts",
+        gives: Gives::Surface,
         example: "sweep(bezier([[0, 0, 0], [1, 0, 0]]), bezier([[0, 0, 0], [0, 1, 1], [0, 2, 0]]))",
         call: |_, args| {
             let (c, d, form) = pair(args)?;
@@ -56,6 +60,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "coons",
         parameters: BOUNDARY,
         summary: "Coons' bilinearly blended surface of four boundary curves that meet at the corners",
+        gives: Gives::Surface,
         example: "coons(bezier([[0, 0], [1, 0]]), bezier([[0, 1], [1, 1]]), bezier([[0, 0], [0, 1]]), bezier([[1, 0], [2, 1], [1, 1]]))",
         call: |_, args| {
             let (_, surface, form) = coons(args)?;
@@ -72,6 +77,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("u", Takes::Scalars, "the u of each of them").shown("[u_0, ..., u_n]"),
         ],
         summary: "Gordon's surface through a network of curves that meet: c_j(u_i) = d_i(v_j)",
+        gives: Gives::Surface,
         example: "gordon([bezier([0, 2, 0]), bezier([1, 1])], [0, 1], [bezier([0, 1]), bezier([0, 3, 1])], [0, 1])",
         call: |_, args| {
             let ((in_u, left), (in_v, right)) = (family(args, 0)?, family(args, 2)?);
@@ -88,6 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("r", Takes::Scalar, "the radius of the circle"),
         ],
         summary: "the torus about the z axis as 16 rational patches of degrees 2 and 2",
+        gives: Gives::Surfaces,
         example: "torus(3, 1)",
         call: |_, args| {
             let (distance, radius) = (args.scalar(0)?, args.scalar(1)?);

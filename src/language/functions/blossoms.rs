@@ -1,13 +1,15 @@
 //! More blossoms: q and h, Möbius changes of parameter, apolarity; Bézier points of tetrahedra.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
+use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, polar_error, wrong_kind};
 use crate::language::ops::formula::symbol_of;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Polar, PolarKind, Table, Value};
 use crate::math::blossom::{PolarForm, TotalDegreePolarForm, apolar_product, h_blossom, moebius, q_blossom};
 use crate::math::curve::{Point, affine};
@@ -35,6 +37,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "qblossom",
         parameters: &[POLYNOMIAL, required("q", Takes::Scalar, "the factor"), DEGREE, VARIABLE],
         summary: "the symmetric multiaffine f with f(t, q t, ..., q^(n-1) t) = F(t)",
+        gives: Gives::Polar,
         example: "qblossom(t^2, 2)",
         call: |_, args| {
             let (list, variable) = coefficients(args, 0)?;
@@ -52,6 +55,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "hblossom",
         parameters: &[POLYNOMIAL, required("h", Takes::Scalar, "the step"), DEGREE, VARIABLE],
         summary: "the symmetric multiaffine f with f(t, t - h, ..., t - (n-1) h) = F(t)",
+        gives: Gives::Polar,
         example: "hblossom(t^2, 1)",
         call: |_, args| {
             let (list, variable) = coefficients(args, 0)?;
@@ -71,6 +75,7 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "(c t + d)^n F((a t + b)/(c t + d)), as a polar form: a rational change of parameter",
+        gives: Gives::Polar,
         example: "mobius(t^2, 1, 0, 1, 1)",
         call: |_, args| {
             let (list, variable) = coefficients(args, 0)?;
@@ -83,6 +88,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "apolar",
         parameters: &[POLYNOMIAL, required("G", Takes::Polynomial, "another one"), DEGREE, VARIABLE],
         summary: "the apolar product: c f(r_1, ..., r_n) for G = c (t - r_1) ... (t - r_n)",
+        gives: Gives::Scalar,
         example: "apolar(t^2 - 1, t^2 + 1)",
         call: |_, args| {
             let (f, g) = (args.univariate(0)?.coefficients, args.univariate(1)?.coefficients);
@@ -109,6 +115,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("degree=d", Takes::Size, "the total degree of F", "the degree"),
         ],
         summary: "the Bézier points f(p^i, q^j, r^k, s^l) of a polynomial over a tetrahedron",
+        gives: Gives::Table,
         example: "tetrahedral_points(u v + w, [u, v, w])",
         call: |_, args| tetrahedral_points(args),
         ..NEW
@@ -122,6 +129,7 @@ pub(super) const TABLE: &[Builtin] = &[
             TETRAHEDRON,
         ],
         summary: "the polynomial with these Bézier points over a tetrahedron",
+        gives: Gives::Scalar,
         example: "from_tetrahedral([1, 0, 0, 2], [u, v, w])",
         call: |_, args| from_tetrahedral(args),
         ..NEW

@@ -3,10 +3,12 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 
-use super::parameter::{Need, Parameter, Takes};
+use super::gives::Gives;
+use super::parameter::{Need, Parameter};
 use super::record::Builtin;
 use super::table::{BUILTINS, builtin};
 use crate::language::eval::{Arguments, Callable, Evaluated, Machine, Slot};
+use crate::language::ops::takes::Takes;
 
 /// The function of that name, for the evaluator.
 pub(crate) fn callable(name: &str) -> Option<&'static dyn Callable> {
@@ -26,7 +28,7 @@ pub(crate) fn is_argument_word(word: &str) -> bool {
         let words = all
             .clone()
             .flat_map(parameters)
-            .flat_map(|parameter| parameter.kind.words().iter().copied().chain([parameter.name]));
+            .flat_map(|parameter| parameter.kind.words().into_iter().chain([parameter.name]));
         words.chain(all.map(|builtin| builtin.name)).collect()
     });
     WORDS.contains(word)
@@ -333,7 +335,7 @@ impl Callable for Builtin {
 
     fn takes_coordinates(&self) -> bool {
         let first = self.parameters.iter().find(|parameter| parameter.has_place());
-        first.is_none_or(|parameter| parameter.kind != Takes::Any)
+        first.is_none_or(|first| !matches!(first.kind, Takes::Any | Takes::Mapping | Takes::OneOf(_)))
     }
 
     fn takes_name(&self, name: &str) -> bool {
@@ -349,7 +351,7 @@ impl Callable for Builtin {
     }
 
     fn gives_function(&self) -> bool {
-        self.gives_function
+        self.gives == Gives::Function
     }
 
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {

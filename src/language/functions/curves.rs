@@ -1,17 +1,19 @@
 //! Bézier curves.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list, spline};
 use std::sync::Arc;
 
 use super::parameter::{
-    CURVE, DEGREE, END, HOMOGENEOUS, Parameter, START, Takes, VARIABLE, many, named, optional, required, size,
+    CURVE, DEGREE, END, HOMOGENEOUS, Parameter, START, VARIABLE, many, named, optional, required, size,
 };
 use super::{Builtin, on_surface};
 use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{self, BezierCurve, Interval, Point, Tableau, affine};
 use crate::math::number::Rational;
@@ -37,6 +39,7 @@ pub(super) const TABLE: &[Builtin] = &[
             HOMOGENEOUS,
         ],
         summary: "the Bézier curve with these control points over [a, b] (0 and 1 if not given)",
+        gives: Gives::Curve,
         example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
@@ -54,6 +57,7 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "polynomials as the coordinates of a Bézier curve over [a, b]",
+        gives: Gives::Curve,
         example: "curve_of([t, t^2], 0, 1)",
         call: |_, args| {
             let (items, scalar) = match args.value(0)? {
@@ -76,6 +80,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "extended",
         parameters: &[CURVE, required("t", Takes::Scalar, "the parameter")],
         summary: "the value of a curve at any parameter, also outside of its interval",
+        gives: Gives::Point,
         example: "extended(bezier([0, 1, 3]), 2)",
         on_surface: on_surface::EXTENDED,
         call: |_, args| {
@@ -99,6 +104,7 @@ pub(super) const TABLE: &[Builtin] = &[
             many("u_1, ..., u_n", Takes::Scalar, 1, "one parameter, or as many as the degree"),
         ],
         summary: "de Casteljau's scheme with polar labels, for one parameter or for n of them",
+        gives: Gives::Table,
         example: "casteljau(bezier([0, 1, 4]), 1/2)",
         on_surface: on_surface::CASTELJAU,
         call: |_, args| {
@@ -115,6 +121,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "control_points",
         parameters: &[required("c", Takes::Geometry, "the curve")],
         summary: "the control points of a curve, without weights",
+        gives: Gives::Points,
         example: "control_points(elevate(bezier([0, 2])))",
         on_surface: on_surface::CONTROL_POINTS,
         call: |_, args| {
@@ -132,6 +139,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "weights",
         parameters: &[required("c", Takes::Geometry, "the curve or surface")],
         summary: "the weights of a curve: all 1 if it is polynomial",
+        gives: Gives::Scalars,
         example: "weights(bezier([0, 1, 2], weights=[1, 2, 1]))",
         call: |_, args| {
             let geometry = args.geometry(0)?;
@@ -148,6 +156,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivide",
         parameters: &[CURVE, many("t_1, ..., t_k", Takes::ScalarOrList, 1, "the parameters")],
         summary: "the parts of a curve between parameters, as a list",
+        gives: Gives::Curves,
         example: "subdivide(bezier([0, 1, 4]), 1/2)",
         on_surface: on_surface::SUBDIVIDE,
         call: |_, args| {
@@ -181,6 +190,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("s", Takes::Scalar, "where it ends"),
         ],
         summary: "the part of a curve over [r, s]; of a Bézier curve also outside of its interval",
+        gives: Gives::SameCurve,
         example: "part(bezier([0, 1, 4]), 1/2, 1)",
         on_surface: on_surface::PART,
         call: |_, args| {
@@ -196,8 +206,13 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "reverse",
-        parameters: &[required("c", Takes::Any, "a Bézier curve, a B-spline curve or a list")],
+        parameters: &[required(
+            "c",
+            Takes::OneOf(&[Takes::Curve, Takes::List]),
+            "a Bézier curve, a B-spline curve or a list",
+        )],
         summary: "the same curve run through backwards, over the same interval; a list backwards",
+        gives: Gives::Any,
         example: "reverse(bezier([0, 1, 4]))",
         call: |_, args| {
             if let Value::List(items) = args.value(0)? {
@@ -215,6 +230,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("b", Takes::Scalar, "its end"),
         ],
         summary: "the same control points over another interval",
+        gives: Gives::Curve,
         example: "over(bezier([0, 1, 4]), 1, 3)",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;
@@ -227,22 +243,25 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "hodograph",
         parameters: &[CURVE],
         summary: "the curve of the derivatives, with control points n/(b - a) (b_(i+1) - b_i)",
+        gives: Gives::SameCurve,
         example: "hodograph(bezier([[0, 0], [1, 2], [2, 0]]))",
-        call: |_, args| super::on_geometry::derivative(args),
+        call: |_, args| super::on_geometry::nth_derivative(args, 1),
         ..NEW
     },
     Builtin {
         name: "antiderivative",
         parameters: &[required("c", Takes::Geometry, "the curve or piecewise polynomial")],
         summary: "the curve with this derivative that starts at 0",
+        gives: Gives::SameCurve,
         example: "antiderivative(bezier([1, 2]))",
         call: |_, args| super::on_geometry::antiderivative(args),
         ..NEW
     },
     Builtin {
         name: "support",
-        parameters: &[required("N", Takes::Any, "a piecewise polynomial, such as a basis function")],
+        parameters: &[required("N", Takes::Piecewise, "a piecewise polynomial, such as a basis function")],
         summary: "the interval outside of which a piecewise polynomial is 0, as [t_i, t_(i+n+1)] of N_i^n",
+        gives: Gives::Scalars,
         example: "support(bspline_basis(2, [0, 1, 2, 3, 4], 1))",
         call: |_, args| {
             let Value::Piecewise(function) = args.value(0)? else {
@@ -263,6 +282,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "domain",
         parameters: &[required("c", Takes::Geometry, "the curve, spline or piecewise polynomial")],
         summary: "the interval [a, b] over which a curve is given",
+        gives: Gives::Scalars,
         example: "domain(bspline(2, [0, 1, 2, 3, 4, 5], [1, 3, 2]))",
         call: |_, args| {
             let (a, b) = match args.value(0)? {
@@ -284,10 +304,12 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "differences",
         parameters: &[
-            required("points", Takes::Points, "the points, or a curve").shown("[b_0, ..., b_n]"),
+            required("points", Takes::OneOf(&[Takes::Points, Takes::Geometry]), "the points, or a curve")
+                .shown("[b_0, ..., b_n]"),
             optional("k", Takes::Size, "1", "the order"),
         ],
         summary: "the forward differences of order k (1 if not given)",
+        gives: Gives::Points,
         example: "differences([b_0, b_1, b_2], 2)",
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
@@ -306,6 +328,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "edges",
         parameters: &[CURVE],
         summary: "b_0 and the edge vectors: the coefficients in Bézier's original basis f_i^n",
+        gives: Gives::Points,
         example: "edges(bezier([1, 2, 4]))",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;
@@ -323,6 +346,7 @@ pub(super) const TABLE: &[Builtin] = &[
             END,
         ],
         summary: "the Bézier curve with these edge vectors, the first being its start",
+        gives: Gives::Curve,
         example: "from_edges([1, 1, 2])",
         call: |_, args| {
             let (mut edges, form) = args.control_points(0)?;
@@ -338,6 +362,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "edge_basis",
         parameters: &[DEGREE, optional("t", Takes::Scalar, "t", "the parameter")],
         summary: "Bézier's original basis f_0^n, ..., f_n^n with f_i = B_i^n + ... + B_n^n",
+        gives: Gives::Scalars,
         example: "edge_basis(3, t)",
         call: |_, args| {
             let n = args.size(0)?;
@@ -358,14 +383,21 @@ pub(super) const TABLE: &[Builtin] = &[
             required("d", Takes::Curve, "another one"),
         ],
         summary: "function times curve, or the scalar product of two curves, over one interval",
+        gives: Gives::SameCurve,
         example: "curve_product(bezier([1, 2]), bezier([[0, 0], [1, 3]]))",
         call: |_, args| super::on_geometry::product(args),
         ..NEW
     },
     Builtin {
         name: "convex_hull",
-        parameters: &[required("points", Takes::Points, "the points, or a curve").shown("[p_0, ..., p_n]")],
+        parameters: &[required(
+            "points",
+            Takes::OneOf(&[Takes::Points, Takes::Geometry]),
+            "the points, or a curve",
+        )
+        .shown("[p_0, ..., p_n]")],
         summary: "the corners of the convex hull of points of the plane, counterclockwise",
+        gives: Gives::Points,
         example: "convex_hull([[0, 0], [1, 1], [2, 0], [1, 3]])",
         call: |_, args| {
             let points = match args.value(0)? {
@@ -407,6 +439,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "bernstein_maximum",
         parameters: &[DEGREE, size("i", "the number of the polynomial")],
         summary: "where B_i^n is largest on [0, 1], namely i/n, and its value there",
+        gives: Gives::Scalars,
         example: "bernstein_maximum(3, 1)",
         call: |_, args| {
             let (place, value) = curve::bernstein_maximum(args.size(0)?, args.size(1)?).map_err(|_| {
@@ -422,6 +455,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "bernstein_scaling",
         parameters: &[DEGREE, required("c", Takes::Scalar, "the factor")],
         summary: "the matrix of the B_i^n(c t) in the B_j^n(t): its entries are B_i^j(c)",
+        gives: Gives::Matrix,
         example: "bernstein_scaling(2, 1/2)",
         call: |_, args| {
             let n = args.size(0)?;
@@ -438,6 +472,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("weights", Takes::Scalars, "a weight for each point").shown("[w_0, ..., w_k]"),
         ],
         summary: "the weighted sum of points: weights of sum 1 give a point, of sum 0 a vector",
+        gives: Gives::Point,
         example: "affine_combination([[0, 0], [2, 4]], [1/2, 1/2])",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
@@ -464,6 +499,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("corners", Takes::Points, "the corners").shown("[a_0, ..., a_k]"),
         ],
         summary: "the barycentric coordinates of a point with respect to independent corners",
+        gives: Gives::Scalars,
         example: "barycentric([1, 1], [[0, 0], [3, 0], [0, 3]])",
         call: |_, args| {
             let value = args.value(0)?;
@@ -484,6 +520,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "affine_rank",
         parameters: &[required("points", Takes::Points, "the points").shown("[p_0, ..., p_k]")],
         summary: "the dimension of the affine span of points; k for independent ones",
+        gives: Gives::Count,
         example: "affine_rank([[0, 0], [1, 1], [2, 2]])",
         call: |_, args| {
             let (points, _) = args.control_points(0)?;

@@ -1,5 +1,6 @@
 //! Derivations in the language.
 
+use super::gives::Gives;
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use std::sync::Arc;
@@ -8,8 +9,7 @@ use super::Builtin;
 use super::blends::{BOUNDARY, coons};
 use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
-    CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional,
-    required,
+    CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional, required,
 };
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
@@ -17,6 +17,7 @@ use super::rational_blossoms::{MULTIRATIONAL, function, multirational_error};
 use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Derivation, Geometry, Polar, PolarKind, Value};
 use crate::math::blossom::PolarForm;
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
@@ -25,7 +26,7 @@ use crate::math::poly::{Fraction, Poly, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const ABOUT: Builtin = Builtin::about("Derivations");
+const ABOUT: Builtin = Builtin { gives: Gives::Derivation, ..Builtin::about("Derivations") };
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "derive",
@@ -106,7 +107,11 @@ const SUBJECTS: &[Builtin] = &[
     Builtin {
         name: "elevate",
         parameters: &[
-            required("F", Takes::Polynomial, "a polynomial, polar form or Bézier curve"),
+            required(
+                "F",
+                Takes::OneOf(&[Takes::Polynomial, Takes::Curve]),
+                "a polynomial, polar form or Bézier curve",
+            ),
             optional("k", Takes::Size, "1", "by how many degrees"),
         ],
         summary: "the same polynomial with k more arguments, or a curve with more points",
@@ -217,7 +222,7 @@ const SUBJECTS: &[Builtin] = &[
         name: "implicit",
         parameters: &[required(
             "curve",
-            Takes::Any,
+            Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
             "a Bézier curve of the plane, or its coordinates as formulas",
         )
         .shown("c")],

@@ -1,7 +1,8 @@
 //! Derivatives of curves at a parameter, and the curvatures that follow from them.
 
 use super::Builtin;
-use super::parameter::{CURVE, Parameter, Takes, required};
+use super::gives::Gives;
+use super::parameter::{CURVE, Parameter, required};
 use super::rational::rational_curve;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
@@ -9,6 +10,7 @@ use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error};
 use crate::language::ops::formula::{is_parameter, variable_of};
 use crate::language::ops::geometry::as_rational_spline;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
 use crate::math::curve::{self, CurveError, Vector};
 use crate::math::number::exact_root;
@@ -27,6 +29,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "curvature",
         parameters: &[CURVE, PARAMETER],
         summary: "|c' x c''|/|c'|^3 where that is rational; in the plane positive in a left turn",
+        gives: Gives::Scalar,
         example: "curvature([t, t^2], 0)",
         call: |_, args| {
             let (squared, turn) = squared_and_turn(args)?;
@@ -53,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "squared_curvature",
         parameters: &[CURVE, PARAMETER],
         summary: "the square of the curvature, which is rational: (|c'|^2 |c''|^2 - (c' c'')^2)/|c'|^6",
+        gives: Gives::Scalar,
         example: "squared_curvature([t, t^2], t)",
         call: |_, args| Ok(Value::Scalar(squared_and_turn(args)?.0)),
         ..NEW
@@ -61,6 +65,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "torsion",
         parameters: &[CURVE, PARAMETER],
         summary: "det(c', c'', c''')/|c' x c''|^2 of a curve in space",
+        gives: Gives::Scalar,
         example: "torsion([t, t^2, t^3], 0)",
         call: |_, args| {
             let (list, _) = derivatives(args, 3)?;

@@ -1,13 +1,15 @@
 //! Geometric continuity: the β-matrix, and how two curves meet after a change of parameter.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use super::joins::{UNKNOWNS, class, collected_cell, polynomial_pair};
-use super::parameter::{Takes, optional, required, size};
+use super::parameter::{optional, required, size};
 use super::{Builtin, solve};
 use crate::language::diagnostic::At;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::errors::curve_error;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value, symbol_expr};
 use crate::math::curve::{self, BezierCurve, CurveError, GeometricFailure, Interval, Point};
 use crate::math::number::Rational;
@@ -25,6 +27,7 @@ pub(super) const TABLE: &[Builtin] = &[
             UNKNOWNS,
         ],
         summary: "up to which G^k two curves meet, with the change of parameter beta_1, ..., beta_k",
+        gives: Gives::Any,
         example: "geometric_continuity(bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]))",
         call: geometric_continuity,
         ..NEW
@@ -33,6 +36,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "connection_matrix",
         parameters: &[size("k", "the order")],
         summary: "the matrix from the derivatives of F to those of G for G^k, in beta_1, ..., beta_k",
+        gives: Gives::Matrix,
         example: "connection_matrix(3)",
         call: |_, args| Ok(Value::Matrix(curve::beta_matrix(&betas(args.size(0)?)))),
         ..NEW

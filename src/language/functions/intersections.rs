@@ -1,9 +1,10 @@
 //! Where curves meet others, surfaces and themselves, and the parameters of their points.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, named, optional, required};
+use super::parameter::{Parameter, named, optional, required};
 use super::rational::homogeneous_coordinates;
 use super::sections::{is_surface, letters_of_space, only_space, parametric_surface};
 use super::solve::system_error;
@@ -11,6 +12,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Table, Value};
 use crate::math::curve::{self, MovingLine, PlaneCurve, SpaceCurve};
 use crate::math::number::Rational;
@@ -24,8 +26,12 @@ const NEW: Builtin = Builtin::about("Intersections");
 /// Points are left out for parameters of higher degree, unless they are asked for.
 const DEGREE_WITH_POINTS: usize = 12;
 
-const PLANE_CURVE: Parameter =
-    required("curve", Takes::Any, "a Bézier curve of the plane, or its coordinates as formulas").shown("c");
+const PLANE_CURVE: Parameter = required(
+    "curve",
+    Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
+    "a Bézier curve of the plane, or its coordinates as formulas",
+)
+.shown("c");
 
 const POINTS: Parameter = named(
     "points=1",
@@ -40,19 +46,20 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[
             required(
                 "curve",
-                Takes::Any,
+                Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
                 "a Bézier curve of the plane or of space, or its coordinates as formulas",
             )
             .shown("c"),
             required(
                 "other",
-                Takes::Any,
+                Takes::OneOf(&[Takes::Curve, Takes::Surface, Takes::Coordinates, Takes::Equations]),
                 "another curve, a surface, or the left side of F(x, y) = 0 or F(x, y, z) = 0",
             )
             .shown("d"),
             POINTS,
         ],
         summary: "where a curve meets another one, F(x, y) = 0, F(x, y, z) = 0 or a surface, exactly",
+        gives: Gives::Any,
         example: "intersections([t, t^2], x^2 + y^2 - 2)",
         call: intersections,
         ..NEW
@@ -61,6 +68,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "double_points",
         parameters: &[PLANE_CURVE, POINTS],
         summary: "the pairs of real parameters s <= t of one point of a plane curve; s = t at a cusp",
+        gives: Gives::Table,
         example: "double_points([t^2, t^3 - t])",
         call: |machine, args| {
             let curve = plane_curve(args, 0)?;
@@ -74,6 +82,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "inversion",
         parameters: &[PLANE_CURVE, optional("p", Takes::Point, "the point (x, y)", "a point of the curve")],
         summary: "the parameters of a point of a plane curve; without a point the formula in x and y",
+        gives: Gives::Any,
         example: "inversion([t^2, t^3])",
         call: |_, args| inversion(args),
         ..NEW
@@ -82,6 +91,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "moving_lines",
         parameters: &[PLANE_CURVE],
         summary: "two lines that follow a plane curve, of least degree; their resultant is its equation",
+        gives: Gives::Functions,
         example: "moving_lines([t^2, t^3])",
         call: |_, args| {
             let coordinates = numbers(args, 0)?.0;

@@ -1,18 +1,20 @@
 //! How curves meet, and one function for changes of representation.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, linalg_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezier, joined, spline};
 use std::sync::Arc;
 
-use super::matrices::{basis_error, read_basis};
-use super::parameter::{CURVE, Parameter, Takes, named, optional, required};
+use super::matrices::basis_error;
+use super::notions::{BASIS, read_basis};
+use super::parameter::{CURVE, Parameter, named, optional, required};
 use super::{Builtin, solve, surface_joins};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::basis::{Basis, change_of_basis};
 use crate::math::curve::{self, BezierCurve, Point};
@@ -24,23 +26,12 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 const NEW: Builtin = Builtin::about("Continuity and conversion");
 
 /// The representations of a curve that a word names.
-const FORMS: &[&str] = &[
-    "bezier",
-    "bspline",
-    "power",
-    "polar",
-    "pieces",
-    "hermite",
-    "taylor",
-    "bernstein",
-    "lagrange",
-    "newton",
-];
+const FORMS: &[&str] = &["bezier", "bspline", "power", "polar", "pieces"];
 
 /// For which symbols conditions are solved.
 pub(super) const UNKNOWNS: Parameter = named(
     "unknowns=[x, ...]",
-    Takes::Any,
+    Takes::OneOf(&[Takes::Variable, Takes::Variables]),
     "the conditions as a table",
     "the symbols for which the conditions are solved",
 );
@@ -55,6 +46,7 @@ pub(super) const TABLE: &[Builtin] = &[
             UNKNOWNS,
         ],
         summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
+        gives: Gives::Any,
         example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
         on_surface: surface_joins::JOINING_CONDITIONS,
         call: |machine, args| {
@@ -94,6 +86,7 @@ pub(super) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "the first k + 1 control points of a curve of its degree that joins its end C^k",
+        gives: Gives::Points,
         example: "continuation(bezier([0, 1, 3, 4]), 2)",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;
@@ -126,6 +119,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("at", Takes::Scalar, "the common end", "where they meet").shown("at=t"),
         ],
         summary: "up to which order two curves agree at t, and the first polar values that differ",
+        gives: Gives::Table,
         example: "continuity(bezier([0, 1, 2]), bezier([2, 3, 5], 1, 2))",
         on_surface: surface_joins::CONTINUITY,
         call: |_, args| {
@@ -181,6 +175,7 @@ pub(super) const CONVERSIONS: &[Builtin] = &[
         name: "homogeneous",
         parameters: &[CURVE],
         summary: "the polynomial curve of the homogeneous coordinates of a rational one, weight last",
+        gives: Gives::SameCurve,
         example: "homogeneous(bezier([0, 1, 2], weights=[1, 2, 1]))",
         call: |_, args| {
             Ok(match &*args.geometry(0)? {
@@ -195,10 +190,15 @@ pub(super) const CONVERSIONS: &[Builtin] = &[
     Builtin {
         name: "convert",
         parameters: &[
-            required("c", Takes::Geometry, "the curve, spline or piecewise polynomial"),
-            required("to", Takes::Word(FORMS), "the representation"),
+            required(
+                "c",
+                Takes::OneOf(&[Takes::Geometry, Takes::List]),
+                "the curve, spline or piecewise polynomial",
+            ),
+            required("to", Takes::OneOf(&[Takes::Word(FORMS), BASIS]), "the representation"),
         ],
         summary: "a curve as: bezier, bspline, power, polar, pieces, hermite or [lagrange, t_0, ...]",
+        gives: Gives::Any,
         example: "convert(bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]), bezier)",
         on_surface: surface_joins::CONVERT,
         call: |_, args| convert(args),

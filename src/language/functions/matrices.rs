@@ -1,17 +1,17 @@
 //! Matrices, and the matrices between polynomial bases.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
 use crate::language::ops::arithmetic;
-use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::ops::errors::linalg_error;
 use nalgebra::DMatrix;
 
-use super::parameter::{DEGREE, Parameter, Takes, optional, required, size};
-use super::{Builtin, solve};
-use crate::formula::source::Span;
+use super::parameter::{DEGREE, Parameter, optional, required, size};
+use super::{Builtin, notions, solve};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
-use crate::math::basis::{self, Basis, BasisError};
+use crate::math::basis::{self, BasisError};
 use crate::math::linalg;
 use crate::math::number::Rational;
 use crate::math::poly::Fraction;
@@ -29,6 +29,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "bernstein_to_power",
         parameters: &[DEGREE],
         summary: "A_n: Bézier points over [0, 1] to power coefficients",
+        gives: Gives::Matrix,
         example: "bernstein_to_power(3)",
         call: |_, args| {
             let n = sized(args, 0)?;
@@ -40,6 +41,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "power_to_bernstein",
         parameters: &[DEGREE],
         summary: "the inverse of A_n: power coefficients to Bézier points over [0, 1]",
+        gives: Gives::Matrix,
         example: "power_to_bernstein(3)",
         call: |_, args| {
             let n = sized(args, 0)?;
@@ -51,6 +53,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "raising",
         parameters: &[size("m", "the degree of the points"), size("n", "the degree of the result")],
         summary: "the matrix from Bézier points of degree m to those of degree n >= m",
+        gives: Gives::Matrix,
         example: "raising(2, 3)",
         call: |_, args| {
             let (m, n) = (sized(args, 0)?, sized(args, 1)?);
@@ -62,6 +65,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "lowering",
         parameters: &[size("n", "the degree of the points"), size("m", "the degree of the result")],
         summary: "a left inverse of raising(m, n): exact for polynomials of degree at most m",
+        gives: Gives::Matrix,
         example: "lowering(3, 2)",
         call: |_, args| {
             let (n, m) = (sized(args, 0)?, sized(args, 1)?);
@@ -73,14 +77,15 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "change_of_basis",
         parameters: &[
             DEGREE,
-            required("from", Takes::Basis, "the basis of the given coefficients"),
-            required("to", Takes::Basis, "the basis of the result"),
+            required("from", notions::BASIS, "the basis of the given coefficients"),
+            required("to", notions::BASIS, "the basis of the result"),
         ],
         summary: "the matrix between bases: power, bernstein, legendre, taylor, lagrange, newton, hermite",
+        gives: Gives::Matrix,
         example: "change_of_basis(2, [bernstein, 0, 2], power)",
         call: |_, args| {
             let n = sized(args, 0)?;
-            let (from, to) = (args.basis(1)?, args.basis(2)?);
+            let (from, to) = (notions::basis(args, 1)?, notions::basis(args, 2)?);
             basis::change_of_basis(n, &from, &to).map(Value::Matrix).map_err(basis_error)
         },
         ..NEW
@@ -89,6 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "inverse",
         parameters: &[MATRIX],
         summary: "the inverse of a square matrix; also written M^-1",
+        gives: Gives::Matrix,
         example: "inverse([1, 2; 3, 4])",
         call: |_, args| {
             linalg::inverse(&args.matrix(0)?).map(Value::Matrix).map_err(linalg_error).at(args.span(0))
@@ -99,6 +105,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "det",
         parameters: &[MATRIX],
         summary: "the determinant",
+        gives: Gives::Scalar,
         example: "det([1, 2; 3, 4])",
         call: |_, args| {
             linalg::determinant(&args.matrix(0)?).map(Value::Scalar).map_err(linalg_error).at(args.span(0))
@@ -109,6 +116,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "trace",
         parameters: &[MATRIX],
         summary: "the sum of the diagonal of a square matrix",
+        gives: Gives::Scalar,
         example: "trace([1, 2; 3, 4])",
         call: |_, args| {
             let matrix = args.matrix(0)?;
@@ -124,6 +132,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "row_echelon",
         parameters: &[MATRIX],
         summary: "the reduced row echelon form",
+        gives: Gives::Matrix,
         example: "row_echelon([1, 2, 3; 1, 2, 5])",
         call: |_, args| Ok(Value::Matrix(linalg::reduced_row_echelon(&args.matrix(0)?).matrix)),
         ..NEW
@@ -132,6 +141,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "rank",
         parameters: &[MATRIX],
         summary: "the rank",
+        gives: Gives::Count,
         example: "rank([1, 2; 2, 4])",
         call: |_, args| Ok(Value::int(linalg::rank(&args.matrix(0)?) as i64)),
         ..NEW
@@ -140,6 +150,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "null_space",
         parameters: &[MATRIX],
         summary: "a basis of the x with M x = 0, as columns",
+        gives: Gives::Matrix,
         example: "null_space([1, 2; 2, 4])",
         call: |machine, args| {
             let basis = linalg::null_space(&args.matrix(0)?);
@@ -155,11 +166,21 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "solve",
         parameters: &[
-            required("M", Takes::Any, "the matrix, or a polynomial whose zeros are wanted"),
-            optional("b", Takes::Any, "0", "the right side, a list or matrix; of a polynomial its variable"),
+            required(
+                "M",
+                Takes::OneOf(&[Takes::Matrix, Takes::Scalar]),
+                "the matrix, or a polynomial whose zeros are wanted",
+            ),
+            optional(
+                "b",
+                Takes::OneOf(&[Takes::Scalar, Takes::Points, Takes::Matrix]),
+                "0",
+                "the right side, a list or matrix; of a polynomial its variable",
+            ),
         ],
         on_equations: solve::EQUATIONS,
         summary: "the x with M x = b, for a list or matrix b; of equations, their solutions",
+        gives: Gives::Any,
         example: "solve([2, 0; 0, 4], [1, 1])",
         call: |machine, args| {
             if let Value::Scalar(formula) = args.value(0)? {
@@ -180,6 +201,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "transpose",
         parameters: &[required("M", Takes::Matrix, "the matrix or list")],
         summary: "rows and columns exchanged; a list becomes a column",
+        gives: Gives::Any,
         example: "transpose([1, 2; 3, 4])",
         call: |_, args| arithmetic::transpose(args.value(0)?.clone()).at(args.span(0)),
         ..NEW
@@ -188,6 +210,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "identity",
         parameters: &[size("n", "the number of rows")],
         summary: "the n x n identity matrix",
+        gives: Gives::Matrix,
         example: "identity(3)",
         call: |_, args| {
             let n = sized(args, 0)?;
@@ -215,55 +238,4 @@ pub(super) fn basis_error(error: BasisError) -> Diagnostic {
         _ => Code::Shape,
     };
     Diagnostic::error(code, error.to_string())
-}
-
-impl Arguments {
-    fn basis(&self, i: usize) -> Result<Basis<Fraction>> {
-        read_basis(self.value(i)?, self.span(i))
-    }
-}
-
-/// Whether a word that stands alone names a basis; `bernstein` is the function of that name.
-pub(super) fn is_basis(word: &str) -> bool {
-    matches!(word, "power" | "taylor" | "legendre" | "lagrange" | "newton" | "hermite")
-}
-
-/// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
-pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
-    let wrong = || {
-        wrong_kind("a basis", value)
-            .at(span)
-            .hint("power, bernstein, [bernstein, a, b], [taylor, a], [lagrange, t0, t1, ...]")
-            .hint("or [newton, t0, t1, ...], [hermite, a, b], [legendre, a, b]")
-    };
-    let (name, rest) = match value {
-        Value::List(items) => items.split_first().ok_or_else(wrong)?,
-        single => (single, &[] as &[Value]),
-    };
-    let name = word_of(name).ok_or_else(wrong)?;
-    let numbers: Option<Vec<Fraction>> = rest.iter().map(|item| item.as_scalar().cloned()).collect();
-    let numbers = numbers.ok_or_else(wrong)?;
-    let ends = |numbers: &[Fraction]| -> Result<(Fraction, Fraction)> {
-        match numbers {
-            [] => Ok((num_traits::Zero::zero(), num_traits::One::one())),
-            [a, b] => Ok((a.clone(), b.clone())),
-            _ => Err(wrong()),
-        }
-    };
-    match name {
-        "power" if numbers.is_empty() => Ok(Basis::Power),
-        "taylor" => match numbers.as_slice() {
-            [at] => Ok(Basis::Taylor { at: at.clone() }),
-            _ => Err(wrong()),
-        },
-        "bernstein" => ends(&numbers).map(|(a, b)| Basis::Bernstein { a, b }),
-        "hermite" => ends(&numbers).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
-        "legendre" => match numbers.as_slice() {
-            [a, b] => Ok(Basis::Legendre { a: a.clone(), b: b.clone() }),
-            _ => Err(wrong()),
-        },
-        "lagrange" => Ok(Basis::Lagrange(numbers)),
-        "newton" => Ok(Basis::Newton(numbers)),
-        _ => Err(wrong()),
-    }
 }

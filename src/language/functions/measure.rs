@@ -2,13 +2,15 @@
 
 use super::Builtin;
 use super::geometric::numeric;
+use super::gives::Gives;
 use super::on_surface::partial_derivatives;
-use super::parameter::{CURVE, Parameter, SURFACE, Takes, named, optional, required};
+use super::parameter::{CURVE, Parameter, SURFACE, named, optional, required};
 use super::roots;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, points_of};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, in_letter};
 use crate::math::curve::{self, BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
@@ -21,9 +23,12 @@ const NEW: Builtin = Builtin::about("Lengths and areas");
 
 const SURFACES: Builtin = Builtin::about("Curvature");
 
-const OUTLINE: Parameter =
-    required("outline", Takes::Any, "points, a closed curve of the plane or a list of curves")
-        .shown("[p_0, ..., p_m]");
+const OUTLINE: Parameter = required(
+    "outline",
+    Takes::OneOf(&[Takes::Points, Takes::Curve, Takes::List]),
+    "points, a closed curve of the plane or a list of curves",
+)
+.shown("[p_0, ..., p_m]");
 
 const AT: [Parameter; 3] = [
     SURFACE,
@@ -36,6 +41,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "area",
         parameters: &[OUTLINE],
         summary: "the area inside of a polygon or of closed curves, positive if they run counterclockwise",
+        gives: Gives::Scalar,
         example: "area([[0, 0], [2, 0], [0, 3]])",
         call: |_, args| Ok(Value::Scalar(moments(args)?[0].clone())),
         ..NEW
@@ -44,6 +50,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "centroid",
         parameters: &[OUTLINE],
         summary: "the centroid of the area inside of a polygon or of closed curves",
+        gives: Gives::Point,
         example: "centroid([[0, 0], [2, 0], [0, 3]])",
         call: |_, args| {
             let [area, x, y] = moments(args)?;
@@ -63,6 +70,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("width=1/1000", Takes::Number, "1/1000", "how far the bounds may be apart"),
         ],
         summary: "the length of a curve: exactly where |c'| is a polynomial, else bounds [lower, upper]",
+        gives: Gives::Point,
         example: "arc_length(bezier([[0, 0], [1, 1], [2, 0]]), width=1/50)",
         call: |machine, args| {
             let curve = numbers(args)?;
@@ -81,6 +89,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "speed",
         parameters: &[CURVE],
         summary: "|c'| of a curve with a Pythagorean hodograph, as a polynomial up to its sign",
+        gives: Gives::Scalar,
         example: "speed(pythagorean_curve(1, t))",
         call: |_, args| {
             let curve = numbers(args)?;
@@ -102,6 +111,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("p", Takes::Point, "[0, 0]", "where the curve starts"),
         ],
         summary: "the curve over [0, 1] with the derivative (U^2 - V^2, 2 U V) and |c'| = U^2 + V^2",
+        gives: Gives::Curve,
         example: "pythagorean_curve(1, t)",
         call: |_, args| pythagorean(args),
         ..NEW
@@ -110,6 +120,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "inflections",
         parameters: &[CURVE],
         summary: "the parameters at which the curvature of a plane curve changes its sign, exactly",
+        gives: Gives::Scalars,
         example: "inflections(bezier([[0, 0], [1, 2], [2, -2], [3, 0]]))",
         call: |_, args| {
             let found = curve::inflections(&numbers(args)?).map_err(curve_error).at(args.span(0))?;
@@ -126,6 +137,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "gaussian_curvature",
         parameters: &AT,
         summary: "the Gaussian curvature (L N - M^2)/(E G - F^2) of a surface in space",
+        gives: Gives::Scalar,
         example: "gaussian_curvature(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 0, 0)",
         call: |_, args| {
             let forms = fundamental(args)?;
@@ -139,6 +151,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "squared_mean_curvature",
         parameters: &AT,
         summary: "the square of the mean curvature (E N - 2 F M + G L)/(2 (E G - F^2)), which is rational",
+        gives: Gives::Scalar,
         example: "squared_mean_curvature(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
         call: |_, args| {
             let forms = fundamental(args)?;

@@ -9,11 +9,13 @@ mod derive;
 mod differential;
 mod figures;
 mod geometric;
+mod gives;
 mod interpolation;
 mod intersections;
 mod joins;
 mod matrices;
 mod measure;
+mod notions;
 mod numbers;
 mod on_form;
 mod on_geometry;
@@ -44,15 +46,14 @@ pub(crate) use callable::{
     alias, callable, function_called, function_in_words, function_meant, is_argument_word, names, synonym,
 };
 
+pub(crate) use notions::{BASIS, BASIS_OR_KNOTS, is_word};
+
+pub use super::ops::takes::{Notion, Takes};
 pub use arrange::Arrangement;
-pub use parameter::{Need, Parameter, Takes};
+pub use gives::Gives;
+pub use parameter::{Need, Parameter};
 pub use record::{Builtin, Variant};
 pub use table::{BUILTINS, builtin};
-
-/// Whether a word that stands in a list names a basis or a subdivision scheme.
-pub(crate) fn is_word(word: &str) -> bool {
-    matrices::is_basis(word) || subdivision::is_scheme(word)
-}
 
 #[cfg(test)]
 mod tests;

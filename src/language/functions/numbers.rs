@@ -1,12 +1,14 @@
 //! Numbers.
 
 use super::Builtin;
-use super::parameter::{Takes, many, required, size};
+use super::gives::Gives;
+use super::parameter::{many, required, size};
 use super::polynomials::divided;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
+use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
 use crate::math::number::{Rational, exact_root};
 use crate::math::poly::Fraction;
@@ -23,6 +25,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("k", Takes::Size, "the size of the subsets"),
         ],
         summary: "the number of k-subsets of n things; n may be symbolic",
+        gives: Gives::Scalar,
         example: "binomial(5, 2)",
         call: |_, args| arithmetic::binomial(args.value(0)?, args.value(1)?),
         ..NEW
@@ -31,6 +34,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "factorial",
         parameters: &[size("n", "the number")],
         summary: "1 2 ... n; also written n!",
+        gives: Gives::Count,
         example: "factorial(5)",
         call: |_, args| arithmetic::factorial(args.value(0)?).at(args.span(0)),
         ..NEW
@@ -39,6 +43,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "sqrt",
         parameters: &[required("q", Takes::Number, "the square of a rational number")],
         summary: "the square root of a number that is the square of a rational one",
+        gives: Gives::Scalar,
         example: "sqrt(9/16)",
         call: |_, args| {
             let square = args.rational(0)?;
@@ -58,6 +63,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("b", Takes::Scalar, "the divisor"),
         ],
         summary: "what division leaves: a - b floor(a/b) of numbers, the remainder of polynomials; a mod b",
+        gives: Gives::Scalar,
         example: "mod(17, 5)",
         call: |_, args| {
             // t^5 mod (t - 2)^2; of t mod 2 it is not known whether t is an integer
@@ -75,16 +81,28 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "max",
-        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers, also in one list")],
+        parameters: &[many(
+            "a, b, ...",
+            Takes::OneOf(&[Takes::Number, Takes::Scalars]),
+            1,
+            "the numbers, also in one list",
+        )],
         summary: "the largest of some numbers",
+        gives: Gives::Scalar,
         example: "max(1/2, 1/3)",
         call: |_, args| extreme(args, true),
         ..NEW
     },
     Builtin {
         name: "min",
-        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers, also in one list")],
+        parameters: &[many(
+            "a, b, ...",
+            Takes::OneOf(&[Takes::Number, Takes::Scalars]),
+            1,
+            "the numbers, also in one list",
+        )],
         summary: "the smallest of some numbers",
+        gives: Gives::Scalar,
         example: "min(1/2, 1/3)",
         call: |_, args| extreme(args, false),
         ..NEW
@@ -92,10 +110,11 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "map",
         parameters: &[
-            required("F", Takes::Any, "the function, such as i -> i^2"),
+            required("F", Takes::Mapping, "the function, such as i -> i^2"),
             required("list", Takes::List, "what it is applied to, also a range such as 0..3"),
         ],
         summary: "the list of the values of a function; [i^2 for i = 0..3] is the same",
+        gives: Gives::Any,
         example: "map(i -> i^2, 0..3)",
         call: |machine, args| {
             let Value::Function(function) = args.value(0)? else {
@@ -113,10 +132,19 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "dot",
         parameters: &[
-            required("a", Takes::Any, "a point, a matrix or the list of its rows"),
-            required("b", Takes::Any, "another one, of as many coordinates or rows"),
+            required(
+                "a",
+                Takes::OneOf(&[Takes::Point, Takes::Matrix]),
+                "a point, a matrix or the list of its rows",
+            ),
+            required(
+                "b",
+                Takes::OneOf(&[Takes::Point, Takes::Matrix]),
+                "another one, of as many coordinates or rows",
+            ),
         ],
         summary: "the scalar product of two points, or the product of matrices; also written a . b",
+        gives: Gives::Any,
         example: "dot([1, 2], [3, 4])",
         call: |_, args| {
             for place in 0..2 {
@@ -132,11 +160,20 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "termwise",
         parameters: &[
-            required("F", Takes::Any, "the function of two arguments, such as (x, y) -> x y"),
-            required("a", Takes::Any, "a list, a matrix or a number"),
-            required("b", Takes::Any, "another one, of the same size, or a number"),
+            required("F", Takes::Mapping, "the function of two arguments, such as (x, y) -> x y"),
+            required(
+                "a",
+                Takes::OneOf(&[Takes::List, Takes::Matrix, Takes::Scalar]),
+                "a list, a matrix or a number",
+            ),
+            required(
+                "b",
+                Takes::OneOf(&[Takes::List, Takes::Matrix, Takes::Scalar]),
+                "another one, of the same size, or a number",
+            ),
         ],
         summary: "a function of the entries of lists or matrices, one by one; also a .* b and a.^2",
+        gives: Gives::Any,
         example: "termwise((x, y) -> x y, [1, 2], [3, 4])",
         call: |machine, args| {
             let Value::Function(function) = args.value(0)? else {
@@ -154,10 +191,11 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cross",
         parameters: &[
-            required("a", Takes::Any, "a point of space"),
-            required("b", Takes::Any, "another one"),
+            required("a", Takes::Point, "a point of space"),
+            required("b", Takes::Point, "another one"),
         ],
         summary: "the cross product of two points in space",
+        gives: Gives::Point,
         example: "cross([1, 0, 0], [0, 1, 0])",
         call: |_, args| arithmetic::cross(args.value(0)?.clone(), args.value(1)?.clone()),
         ..NEW
@@ -166,6 +204,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "length",
         parameters: &[required("list", Takes::List, "the list")],
         summary: "the number of items of a list",
+        gives: Gives::Count,
         example: "length([1, 2, 3])",
         call: |_, args| match args.value(0)? {
             Value::List(items) => Ok(Value::int(items.len() as i64)),

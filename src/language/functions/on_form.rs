@@ -1,27 +1,39 @@
 //! What functions such as `derivative` do with the polar form of a surface.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use num_traits::{One, Zero};
 
 use super::on_surface;
-use super::parameter::{Need, Parameter, Takes, optional, required};
+use super::parameter::{Need, Parameter, optional, required};
 use super::record::Variant;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::polar_error;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::poly::Fraction;
 
 pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
     &[
         required("f", Takes::Polar, "the polar form of a surface"),
-        required("r", Takes::Any, "how often in the first variable; or a direction, for one of total degree"),
+        required(
+            "r",
+            Takes::OneOf(&[Takes::Size, Takes::Point]),
+            "how often in the first variable; or a direction, for one of total degree",
+        ),
         Parameter {
             need: Need::Many(0, usize::MAX),
-            ..optional("s", Takes::Any, "0", "how often in the next one; or further directions")
+            ..optional(
+                "s",
+                Takes::OneOf(&[Takes::Size, Takes::Point]),
+                "0",
+                "how often in the next one; or further directions",
+            )
         },
     ],
+    Gives::Polar,
     derivative,
 );
 

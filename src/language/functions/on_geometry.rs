@@ -1,15 +1,17 @@
 //! What functions such as `derivative` and `elevate` do with curves.
 
+use super::gives::Gives;
 use crate::language::eval::{Arguments, Evaluated, call_geometry, call_piecewise};
+use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{curve_error, division_by_zero, polar_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, scalar_list, spline};
-use crate::language::ops::{arithmetic, formula};
 use std::sync::Arc;
 
-use super::parameter::{CURVE, Takes, free, named, optional, required};
+use super::parameter::{CURVE, free, named, optional, required};
 use super::record::Variant;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value, symbol_expr};
 use crate::math::curve::{Interval, RationalCurve};
 use crate::math::poly::{Fraction, Symbol};
@@ -23,36 +25,40 @@ pub(super) const POLAR: Option<Variant> = Variant::new(
         named("span=j", Takes::Size, "the only one", "the knot interval of a spline"),
         named("degree=n", Takes::Size, "the degree of the curve", "the number of arguments"),
     ],
+    Gives::Polar,
     polar,
 );
 
 pub(super) const ELEVATE: Option<Variant> =
-    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], elevate);
+    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], Gives::SameCurve, elevate);
 
 pub(super) const REDUCE: Option<Variant> =
-    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], reduce);
+    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], Gives::SameCurve, reduce);
 
 pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
     &[
         CURVE,
-        optional("variable", Takes::Any, "the parameter", "the variable, as for formulas").shown("t"),
+        optional("variable", Takes::Variable, "the parameter", "the variable, as for formulas").shown("t"),
         optional("k", Takes::Size, "1", "how often, also in the second place"),
     ],
+    Gives::SameCurve,
     derivative,
 );
 
 pub(super) const SUBS: Option<Variant> = Variant::new(
     &[CURVE, free("t=value", Takes::Scalar, "the parameter at which its value is wanted")],
+    Gives::Point,
     subs,
 );
 
 pub(super) const INTEGRATE: Option<Variant> = Variant::new(
     &[
         CURVE,
-        optional("variable", Takes::Any, "the parameter", "the variable, as for formulas").shown("t"),
+        optional("variable", Takes::Variable, "the parameter", "the variable, as for formulas").shown("t"),
         optional("a", Takes::Scalar, "the whole interval", "the lower bound, also in the second place"),
         optional("b", Takes::Scalar, "the whole interval", "the upper bound, also in the third place"),
     ],
+    Gives::Point,
     integrate,
 );
 
@@ -62,17 +68,19 @@ pub(super) const BEZIER_POINTS: Option<Variant> = Variant::new(
         optional("a", Takes::Scalar, "its own interval", "the start of the interval"),
         optional("b", Takes::Scalar, "a + 1", "its end"),
     ],
+    Gives::Points,
     bezier_points,
 );
 
 pub(super) const COMPOSE: Option<Variant> = Variant::new(
     &[CURVE, required("G", Takes::Polynomial, "the function that is put in for the parameter")],
+    Gives::Curve,
     compose,
 );
 
-pub(super) const DEGREE: Option<Variant> = Variant::new(&[CURVE], degree);
+pub(super) const DEGREE: Option<Variant> = Variant::new(&[CURVE], Gives::Count, degree);
 
-pub(super) const COEFFICIENTS: Option<Variant> = Variant::new(&[CURVE], coefficients);
+pub(super) const COEFFICIENTS: Option<Variant> = Variant::new(&[CURVE], Gives::Points, coefficients);
 
 /// A rational curve has no polar form of its own: only its homogeneous one.
 fn polynomial(form: Form, args: &Arguments) -> Result<(), Diagnostic> {
@@ -164,15 +172,12 @@ fn reduce(args: &Arguments) -> Evaluated {
     }
 }
 
-pub(crate) fn derivative(args: &Arguments) -> Evaluated {
-    // diff(c, t) names the variable as for formulas, derivative(c, k) does not.
-    let named = args.given(1).is_none_or(|(value, _)| formula::symbol_of(value).is_some());
-    let order = match args.given(2) {
-        Some(_) if !named => return Err(wrong_kind("a variable", args.value(1)?).at(args.span(1))),
-        Some(_) => args.size(2)?,
-        None if named => 1,
-        None => args.size(1)?,
-    };
+fn derivative(args: &Arguments) -> Evaluated {
+    nth_derivative(args, args.size(2)?)
+}
+
+/// The derivative of that order of the curve at the first place.
+pub(super) fn nth_derivative(args: &Arguments, order: usize) -> Evaluated {
     if let Value::Piecewise(function) = args.value(0)? {
         let derived = function.function.derivative(order);
         let variable = function.variable.clone();
@@ -225,26 +230,23 @@ fn value_at(curve: &Value, t: Fraction, span: Span) -> Result<Value, Diagnostic>
     }
 }
 
-/// The error for an integral with one bound.
-pub(super) fn one_bound(args: &Arguments) -> Diagnostic {
-    Diagnostic::error(Code::Arity, "an integral needs both bounds or none").at(args.span(args.len() - 1))
+/// The bounds of an integral, behind its function and its variable.
+pub(super) fn bounds(args: &Arguments) -> Result<Option<(Fraction, Fraction)>, Diagnostic> {
+    match (args.optional_scalar(2)?, args.optional_scalar(3)?) {
+        (Some(a), Some(b)) => Ok(Some((a, b))),
+        (None, None) => Ok(None),
+        _ => Err(Diagnostic::error(Code::Arity, "an integral needs both bounds or none")
+            .at(args.span(args.len() - 1))),
+    }
 }
 
 /// The integral over the whole interval, or from a to b.
 fn integrate(args: &Arguments) -> Evaluated {
-    // integrate(c, t, a, b) names the variable as for formulas, integrate(c, a, b) does not.
-    let places = match [1, 2, 3].map(|i| args.given(i).is_some()) {
-        [false, false, false] => None,
-        [true, true, false] => Some([1, 2]),
-        [_, true, true] => Some([2, 3]),
-        _ => return Err(one_bound(args)),
-    };
-    if let Some(places) = places {
-        let [from, to] = [args.scalar(places[0])?, args.scalar(places[1])?];
+    if let Some((from, to)) = bounds(args)? {
         let primitive = antiderivative(&args.only(1))?;
         return arithmetic::add(
-            value_at(&primitive, to, args.span(places[1]))?,
-            arithmetic::negate(value_at(&primitive, from, args.span(places[0]))?)?,
+            value_at(&primitive, to, args.span(3))?,
+            arithmetic::negate(value_at(&primitive, from, args.span(2))?)?,
         );
     }
     if let Value::Piecewise(function) = args.value(0)? {

@@ -1,15 +1,16 @@
 //! What functions such as `derivative`, `casteljau` and `elevate` do with a surface.
 
-use crate::language::eval::arguments::word_of;
+use super::gives::Gives;
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
 use std::sync::Arc;
 
-use super::parameter::{Need, Parameter, SURFACE, Takes, named, optional, required, size};
+use super::parameter::{Need, Parameter, SURFACE, named, optional, required, size};
 use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
 use crate::math::curve::{
@@ -22,7 +23,7 @@ use crate::math::spline::{RationalSplineSurface, SplineSurface};
 /// u, v, or both at once.
 const DIRECTIONS: Takes = Takes::Word(&["u", "v", "bilinear"]);
 
-pub(super) const POLAR: Option<Variant> = Variant::new(&[SURFACE], polar);
+pub(super) const POLAR: Option<Variant> = Variant::new(&[SURFACE], Gives::Polar, polar);
 
 pub(super) const ELEVATE: Option<Variant> = Variant::new(
     &[
@@ -30,6 +31,7 @@ pub(super) const ELEVATE: Option<Variant> = Variant::new(
         optional("k", Takes::Size, "1", "by how many degrees in u, or of a triangular patch"),
         optional("l", Takes::Size, "k", "by how many degrees in v"),
     ],
+    Gives::Surface,
     elevate,
 );
 
@@ -39,55 +41,82 @@ pub(super) const REDUCE: Option<Variant> = Variant::new(
         optional("k", Takes::Size, "1", "by how many degrees in u, or of a triangular patch"),
         optional("l", Takes::Size, "k", "by how many degrees in v"),
     ],
+    Gives::Surface,
     reduce,
 );
 
 pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
     &[
         SURFACE,
-        required("r", Takes::Any, "how often in u; or a direction, for a triangular patch"),
+        required(
+            "r",
+            Takes::OneOf(&[Takes::Size, Takes::Point]),
+            "how often in u; or a direction, for a triangular patch",
+        ),
         Parameter {
             need: Need::Many(0, usize::MAX),
-            ..optional("s", Takes::Any, "0", "how often in v; or further directions")
+            ..optional(
+                "s",
+                Takes::OneOf(&[Takes::Size, Takes::Point]),
+                "0",
+                "how often in v; or further directions",
+            )
         },
     ],
+    Gives::Surface,
     derivative,
 );
 
-pub(super) const INTEGRATE: Option<Variant> = Variant::new(&[SURFACE], integrate);
+pub(super) const INTEGRATE: Option<Variant> = Variant::new(&[SURFACE], Gives::Point, integrate);
 
-pub(super) const DEGREE: Option<Variant> = Variant::new(&[SURFACE], degree);
+pub(super) const DEGREE: Option<Variant> = Variant::new(&[SURFACE], Gives::Any, degree);
 
 pub(super) const CASTELJAU: Option<Variant> = Variant::new(
     &[
         SURFACE,
-        required("u", Takes::Any, "the first parameter; or the point, for a triangular patch"),
+        required(
+            "u",
+            Takes::OneOf(&[Takes::Scalar, Takes::Point]),
+            "the first parameter; or the point, for a triangular patch",
+        ),
         optional("v", Takes::Scalar, "the point is given", "the second parameter"),
         named("first=u", DIRECTIONS, "u", "which parameter comes first"),
     ],
+    Gives::Table,
     casteljau,
 );
 
 pub(super) const SUBDIVIDE: Option<Variant> = Variant::new(
     &[
         SURFACE,
-        optional("u", Takes::Any, "no cut", "where u is cut; or the point, for a triangular patch"),
+        optional(
+            "u",
+            Takes::OneOf(&[Takes::Scalar, Takes::Point]),
+            "no cut",
+            "where u is cut; or the point, for a triangular patch",
+        ),
         optional("v", Takes::Scalar, "no cut", "where v is cut"),
     ],
+    Gives::Surfaces,
     subdivide,
 );
 
 pub(super) const PART: Option<Variant> = Variant::new(
     &[
         SURFACE,
-        required("u", Takes::Any, "the interval of u; or three corners, for a triangular patch")
-            .shown("[a, b]"),
+        required(
+            "u",
+            Takes::OneOf(&[Takes::Interval, Takes::Triangle]),
+            "the interval of u; or three corners, for a triangular patch",
+        )
+        .shown("[a, b]"),
         optional("v", Takes::Interval, "[0, 1]", "the interval of v").shown("[c, d]"),
     ],
+    Gives::Surface,
     part,
 );
 
-pub(super) const PIECES: Option<Variant> = Variant::new(&[SURFACE], pieces);
+pub(super) const PIECES: Option<Variant> = Variant::new(&[SURFACE], Gives::Surfaces, pieces);
 
 pub(super) const INSERT_KNOTS: Option<Variant> = Variant::new(
     &[
@@ -95,19 +124,25 @@ pub(super) const INSERT_KNOTS: Option<Variant> = Variant::new(
         named("u=[t_1, ...]", Takes::ScalarOrList, "none", "the new knots in u"),
         named("v=[t_1, ...]", Takes::ScalarOrList, "none", "the new knots in v"),
     ],
+    Gives::Surface,
     insert_knots,
 );
 
-pub(super) const CONTROL_POINTS: Option<Variant> = Variant::new(&[SURFACE], control_points);
+pub(super) const CONTROL_POINTS: Option<Variant> = Variant::new(&[SURFACE], Gives::List, control_points);
 
-pub(super) const LABELS: Option<Variant> = Variant::new(&[SURFACE], labels);
+pub(super) const LABELS: Option<Variant> = Variant::new(&[SURFACE], Gives::Table, labels);
 
 pub(super) const EXTENDED: Option<Variant> = Variant::new(
     &[
         SURFACE,
-        required("u", Takes::Any, "the first parameter; or the point, for a triangular patch"),
+        required(
+            "u",
+            Takes::OneOf(&[Takes::Scalar, Takes::Point]),
+            "the first parameter; or the point, for a triangular patch",
+        ),
         optional("v", Takes::Scalar, "the point is given", "the second parameter"),
     ],
+    Gives::Point,
     extended,
 );
 
@@ -118,6 +153,7 @@ pub(super) const DERIVATIVES_AT: Option<Variant> = Variant::new(
         required("v", Takes::Scalar, "the second parameter"),
         size("k", "the highest order"),
     ],
+    Gives::List,
     derivatives_at,
 );
 

@@ -1,6 +1,9 @@
 //! What a function can be told: its parameters, from which checks, forms, hints and help come.
 
-use std::borrow::Cow;
+use crate::language::ops::takes::Takes;
+use crate::language::value::Value;
+use crate::math::number::Rational;
+use crate::math::poly::Symbol;
 
 /// One thing a function can be told.
 #[derive(Clone, Copy, Debug)]
@@ -30,144 +33,6 @@ pub enum Need {
     Many(usize, usize),
     /// Any names of the caller's, such as `t=3`, in place of all arguments after the first.
     Free,
-}
-
-/// What an argument has to be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Takes {
-    /// 0, 1, 2, …
-    Size,
-    /// …, −1, 0, 1, …
-    Integer,
-    /// A rational number.
-    Number,
-    /// A number or formula.
-    Scalar,
-    /// A list of numbers or formulas.
-    Scalars,
-    /// One number or formula, or a list of them.
-    ScalarOrList,
-    /// A symbol such as t.
-    Variable,
-    /// A list of symbols.
-    Variables,
-    /// A formula, a function of one formula or a polar form.
-    Polynomial,
-    /// Polynomials, one for each coordinate.
-    Coordinates,
-    /// What can be differentiated and composed: formulas, functions, polar forms.
-    Function,
-    /// A polar form.
-    Polar,
-    /// A Bézier curve, or what can be read as one.
-    Curve,
-    /// A spline, or what can be read as one.
-    Spline,
-    /// A curve or surface.
-    Geometry,
-    /// A surface.
-    Surface,
-    /// Coordinates.
-    Point,
-    /// A list of points, or of numbers.
-    Points,
-    /// A list of lists of points, or of numbers.
-    Net,
-    /// Rows of numbers or formulas.
-    Rows,
-    /// Two ends.
-    Interval,
-    /// Three points of the plane.
-    Triangle,
-    /// A matrix.
-    Matrix,
-    /// A basis of polynomials.
-    Basis,
-    /// A basis of polynomials, or the knots of B-splines.
-    BasisOrKnots,
-    /// A subdivision scheme, or its mask.
-    Scheme,
-    /// Equations.
-    Equations,
-    /// A list of anything.
-    List,
-    /// A picture.
-    Figure,
-    /// 1 or 0.
-    Flag,
-    /// Words in quotation marks.
-    Text,
-    /// One of these words.
-    Word(&'static [&'static str]),
-    /// Anything: the function says what it can use.
-    Any,
-}
-
-/// The bases of [`Takes::Basis`] that a word names.
-const BASES: &[&str] = &["power", "bernstein", "legendre", "taylor", "lagrange", "newton", "hermite"];
-
-/// The schemes of [`Takes::Scheme`] that a word names.
-const SCHEMES: &[&str] = &["chaikin", "cubic", "four_point", "de_rham"];
-
-impl Takes {
-    /// The words that mean something here.
-    pub fn words(self) -> &'static [&'static str] {
-        match self {
-            Takes::Word(words) => words,
-            Takes::Basis | Takes::BasisOrKnots => BASES,
-            Takes::Scheme => SCHEMES,
-            _ => &[],
-        }
-    }
-
-    /// What is expected, in words.
-    pub fn description(self) -> Cow<'static, str> {
-        Cow::Borrowed(match self {
-            Takes::Size => "an integer that is 0 or more",
-            Takes::Integer => "an integer",
-            Takes::Number => "a number",
-            Takes::Scalar => "a number or formula",
-            Takes::Scalars => "a list of numbers or formulas",
-            Takes::ScalarOrList => "a number or formula, or a list of them",
-            Takes::Variable => "a variable",
-            Takes::Variables => "a list of variables",
-            Takes::Polynomial => "a polynomial in one variable",
-            Takes::Coordinates => "a polynomial, or a list of them",
-            Takes::Function => "a function or formula",
-            Takes::Polar => "a polar form",
-            Takes::Curve => "a Bézier curve",
-            Takes::Spline => "a spline",
-            Takes::Geometry => "a curve or surface",
-            Takes::Surface => "a surface",
-            Takes::Point => "a point",
-            Takes::Points => "a list of points or numbers",
-            Takes::Net => "rows of points or numbers",
-            Takes::Rows => "rows of numbers",
-            Takes::Interval => "an interval [a, b]",
-            Takes::Triangle => "three points of the plane",
-            Takes::Matrix => "a matrix",
-            Takes::Basis => "power, bernstein or a list such as [bernstein, a, b] or [lagrange, t_0, ...]",
-            Takes::BasisOrKnots => "bernstein, [bernstein, a, b], another basis or knots",
-            Takes::Scheme => {
-                "chaikin, cubic, four_point, de_rham, [lane_riesenfeld, n], [corner_cutting, lambda, mu] or a mask"
-            }
-            Takes::Equations => "equations",
-            Takes::List => "a list",
-            Takes::Figure => "a figure",
-            Takes::Flag => "1 or 0",
-            Takes::Text => "words in quotation marks",
-            Takes::Word(words) => return Cow::Owned(alternatives(words)),
-            Takes::Any => "any value",
-        })
-    }
-}
-
-/// a, b or c
-pub(super) fn alternatives(words: &[&str]) -> String {
-    match words {
-        [rest @ .., last] if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        words => words.concat(),
-    }
 }
 
 impl Parameter {
@@ -203,6 +68,20 @@ impl Parameter {
         match self.has_name() && self.form != self.name && !self.form.contains('=') {
             true => format!("{}={}", self.name, self.form),
             false => self.form.to_owned(),
+        }
+    }
+
+    /// The value that it has if it is not given, where that is one: not "all 1".
+    pub(super) fn default_value(&self) -> Option<Value> {
+        let default = self.default()?;
+        let number = |text: &str| text.parse::<Rational>().ok().map(Value::number);
+        match self.kind {
+            Takes::Word(words) if words.contains(&default) => Some(Value::Text(default.to_owned())),
+            Takes::Variable if default.chars().all(char::is_alphabetic) => {
+                Some(Value::symbol(Symbol::new(default)))
+            }
+            Takes::Size | Takes::Integer | Takes::Number | Takes::Scalar | Takes::Flag => number(default),
+            _ => None,
         }
     }
 
@@ -315,7 +194,8 @@ pub(super) const VALUES: Parameter =
     required("values", Takes::Points, "a number or point for each node").shown("[y_0, ..., y_n]");
 
 /// The start of an interval.
-pub(super) const START: Parameter = optional("a", Takes::Scalar, "0", "the start of the interval");
+pub(super) const START: Parameter =
+    optional("a", Takes::Scalar, "0, as of [0, 1]", "the start of the interval");
 
 /// The end of an interval.
-pub(super) const END: Parameter = optional("b", Takes::Scalar, "1", "its end");
+pub(super) const END: Parameter = optional("b", Takes::Scalar, "1, as of [0, 1]", "its end");

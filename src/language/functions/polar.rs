@@ -1,16 +1,17 @@
 //! Polar forms: making, elevating, combining, writing out.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::point_argument;
 use crate::language::ops::{formula, function};
 use std::sync::Arc;
 
-use super::parameter::{METHOD, Parameter, START, Takes, VARIABLE, many, named, optional, required};
+use super::parameter::{METHOD, Parameter, START, VARIABLE, many, named, optional, required};
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::{Method, PolarForm, TensorPolarForm, TotalDegreePolarForm};
 use crate::math::curve::Interval;
@@ -32,6 +33,7 @@ pub(super) const POLAR: Builtin = Builtin {
     ],
     common: &[METHOD],
     summary: "the polar form of a polynomial, of its own degree or a larger one",
+    gives: Gives::Polar,
     example: "polar(t^2 + 2t, degree=3)",
     each: true,
     on_curve: on_geometry::POLAR,
@@ -115,13 +117,14 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "polar_tensor",
         parameters: &[
-            required("F", Takes::Scalar, "the polynomial"),
+            required("F", Takes::Function, "the polynomial"),
             required("u", Takes::Variable, "the first variable"),
             required("v", Takes::Variable, "the second variable"),
             optional("m", Takes::Size, "the degree in u", "the number of arguments for u"),
             optional("n", Takes::Size, "the degree in v", "the number of arguments for v"),
         ],
         summary: "the tensor-product polar form of a polynomial of degrees m in u and n in v",
+        gives: Gives::Polar,
         example: "polar_tensor(u v, u, v, 2, 2)",
         each: true,
         call: |_, args| {
@@ -152,11 +155,12 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "polar_total",
         parameters: &[
-            required("F", Takes::Scalar, "the polynomial"),
+            required("F", Takes::Function, "the polynomial"),
             required("variables", Takes::Variables, "its variables").shown("[u, v]"),
             optional("degree", Takes::Size, "the degree of F", "the number of arguments").shown("degree=d"),
         ],
         summary: "the polar form of total degree d, whose arguments are points",
+        gives: Gives::Polar,
         example: "polar_total(u v, [u, v], degree=2)",
         each: true,
         call: |_, args| {
@@ -174,9 +178,9 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "diagonal",
         parameters: &[required("f", Takes::Polar, "the polar form; a list of them for a curve")],
         summary: "the polynomial F(t) = f(t, ..., t)",
+        gives: Gives::Function,
         example: "diagonal(polar(t^2 + 1))",
         each: true,
-        gives_function: true,
         call: |_, args| {
             let f = args.polar(0)?;
             Ok(Value::Scalar(f.diagonal()))
@@ -187,9 +191,15 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "partial",
         parameters: &[
             required("f", Takes::Polar, "the polar form; a list of them for a curve"),
-            many("u1, u2, ...", Takes::Scalar, 0, "the arguments, vectors such as hat(1) too"),
+            many(
+                "u1, u2, ...",
+                Takes::OneOf(&[Takes::Argument, Takes::Point]),
+                0,
+                "the arguments, vectors such as hat(1) too",
+            ),
         ],
         summary: "puts in some arguments and leaves the others free",
+        gives: Gives::Polar,
         example: "partial(polar(t^3), 0, hat(1))",
         each: true,
         call: |_, args| {
@@ -241,6 +251,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("k", Takes::Size, "1", "how many arguments more"),
         ],
         summary: "the same polynomial with k more arguments (1 if not given)",
+        gives: Gives::Polar,
         example: "elevate(polar(t^2), 1)",
         each: true,
         on_curve: on_geometry::ELEVATE,
@@ -264,6 +275,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("k", Takes::Size, "1", "how many arguments fewer"),
         ],
         summary: "the same polynomial with k fewer arguments, where that is exact",
+        gives: Gives::Polar,
         example: "reduce(polar(t^2, degree=3), 1)",
         each: true,
         on_curve: on_geometry::REDUCE,
@@ -289,6 +301,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("degree=n", Takes::Size, "that of f", "the degree, also a higher one"),
         ],
         summary: "the Bézier points f(a, ..., a, b, ..., b) over [a, b] (0 and 1 if not given)",
+        gives: Gives::Points,
         example: "bezier_points(polar(t^2), 0, 1)",
         on_curve: on_geometry::BEZIER_POINTS,
         on_surface: on_surface::CONTROL_POINTS,
@@ -320,6 +333,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("b", Takes::Scalar, "1", "its end"),
         ],
         summary: "the polar form with given Bézier points over [a, b] (0 and 1 if not given)",
+        gives: Gives::Polar,
         example: "from_bezier([0, 0, 1])",
         call: |_, args| {
             let (a, b) = ends(args)?;
@@ -344,6 +358,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("G", Takes::Polynomial, "another one"),
         ],
         summary: "the polar form of F + G, of the larger degree",
+        gives: Gives::Polar,
         example: "polar_sum(t^2 + 2t, t^3 + 1)",
         call: |_, args| combine(args, PolarForm::sum).map(polar_value),
         ..NEW
@@ -356,6 +371,7 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         common: &[COMBINED],
         summary: "the polar form of F G: multiply with distinct arguments and symmetrise",
+        gives: Gives::Polar,
         example: "polar_product(t^2 + 2t, t^3 + 1)",
         call: |_, args| {
             let operation = ways(args, PolarForm::product, PolarForm::product_by_symmetrizing)?;
@@ -371,6 +387,7 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         common: &[COMBINED],
         summary: "the polar form of F(G(t))",
+        gives: Gives::Polar,
         example: "polar_compose(t^2 + 2t, t^3 + 1)",
         call: |_, args| {
             let operation = ways(args, PolarForm::compose, PolarForm::compose_by_symmetrizing)?;

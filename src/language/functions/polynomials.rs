@@ -1,11 +1,13 @@
 //! Polynomials and rational functions: parts, division, calculus.
 
-use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
+use super::gives::Gives;
+use super::parameter::{DEGREE, Parameter, free, many, optional, required, size};
 use super::{Builtin, on_form, on_geometry, on_surface, surface_compositions};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
+use crate::language::ops::takes::Takes;
 use crate::language::ops::{calculus, formula, function};
 use crate::language::value::Value;
 use crate::math::number::Rational;
@@ -30,6 +32,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "degree",
         parameters: &[required("F", Takes::Polynomial, "the polynomial or polar form"), LETTER],
         summary: "the degree of a polynomial in its variable, or of a polar form",
+        gives: Gives::Count,
         example: "degree(t^3 + 1)",
         on_curve: on_geometry::DEGREE,
         on_surface: on_surface::DEGREE,
@@ -53,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "coefficients",
         parameters: &[required("F", Takes::Polynomial, "the polynomial"), LETTER],
         summary: "the list of coefficients, the constant first",
+        gives: Gives::List,
         example: "coefficients(t^3 + 3t^2 + 5t + 1)",
         on_curve: on_geometry::COEFFICIENTS,
         call: |_, args| {
@@ -69,6 +73,7 @@ pub(super) const TABLE: &[Builtin] = &[
             size("k", "the exponent"),
         ],
         summary: "the coefficient of t^k",
+        gives: Gives::Scalar,
         example: "coefficient((t + 1)^5, t, 2)",
         call: |_, args| {
             let k = args.size(2)?;
@@ -80,12 +85,13 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "subs",
         parameters: &[
-            required("F", Takes::Scalar, "the formula"),
+            required("F", Takes::Formula, "the formula"),
             required("t", Takes::Variable, "the variable"),
             required("value", Takes::Scalar, "what stands in its place"),
             free("t=value", Takes::Scalar, "instead, values for any variables at once, such as t=3, c_0=1"),
         ],
         summary: "puts a value in place of a variable; subs(F, t=value) is the same",
+        gives: Gives::Any,
         example: "subs(t^2 + c_0, t, 3)",
         on_curve: on_geometry::SUBS,
         each: true,
@@ -120,12 +126,12 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("k", Takes::Size, "1", "how often"),
         ],
         summary: "the k-th derivative (the first if k is not given)",
+        gives: Gives::Function,
         example: "diff(t^3, t, 2)",
         each: true,
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
-        gives_function: true,
         call: |_, args| {
             let order = args.optional_size(2)?.unwrap_or(1);
             match args.value(0)? {
@@ -155,12 +161,12 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("k", Takes::Size, "1", "how often"),
         ],
         summary: "the k-th derivative of a function, formula or polar form (by unit vectors)",
+        gives: Gives::Function,
         example: "derivative(polar(t^3), 1)",
         each: true,
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
-        gives_function: true,
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))
@@ -176,8 +182,8 @@ pub(super) const TABLE: &[Builtin] = &[
             LETTER,
         ],
         summary: "the Taylor polynomial of degree n at a: the sum of F^(k)(a)/k! (t - a)^k for k up to n",
+        gives: Gives::Function,
         example: "taylor(t^4, 1, 2)",
-        gives_function: true,
         call: |_, args| {
             let (formula, at, degree) = (args.scalar(0)?, args.scalar(1)?, args.size(2)?);
             let variable = formula::variable_of(&formula, args.optional_symbol(3)?).at(args.span(0))?;
@@ -198,12 +204,13 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "integrate",
         parameters: &[
-            required("F", Takes::Scalar, "the formula, or a function of one variable"),
+            required("F", Takes::Function, "the formula, or a function of one variable"),
             LETTER,
             optional("a", Takes::Scalar, "no bounds", "the lower bound"),
             optional("b", Takes::Scalar, "no bounds", "the upper bound"),
         ],
         summary: "the integral over [a, b]; without bounds the antiderivative that is 0 at 0",
+        gives: Gives::Scalar,
         example: "integrate(t^2, t, 0, 1)",
         on_curve: on_geometry::INTEGRATE,
         on_surface: on_surface::INTEGRATE,
@@ -214,16 +221,9 @@ pub(super) const TABLE: &[Builtin] = &[
                 }
                 _ => (args.scalar(0)?, None),
             };
-            // integrate(F, 0, 1): no letter stands before the bounds
-            let lettered = args.given(1).is_none_or(|(letter, _)| formula::symbol_of(letter).is_some());
-            let given = if lettered { args.optional_symbol(1)? } else { None };
-            let variable = formula::variable_of(&formula, given.or(own)).at(args.span(0))?;
-            let first = if lettered { 2 } else { 1 };
-            let bounds = match (args.optional_scalar(first)?, args.optional_scalar(first + 1)?) {
-                (Some(a), Some(b)) => Some((a, b)),
-                (None, None) => None,
-                _ => return Err(on_geometry::one_bound(args)),
-            };
+            let variable =
+                formula::variable_of(&formula, args.optional_symbol(1)?.or(own)).at(args.span(0))?;
+            let bounds = on_geometry::bounds(args)?;
             let bounds = bounds.as_ref().map(|(a, b)| (a, b));
             calculus::integrate(&formula, &variable, bounds).map(Value::Scalar).at(args.span(0))
         },
@@ -236,10 +236,10 @@ pub(super) const TABLE: &[Builtin] = &[
             required("G", Takes::Function, "the inner function"),
         ],
         summary: "F(G(t)); also written F ∘ G",
+        gives: Gives::Function,
         example: "compose(t^2 + 2t, t^3 + 1)",
         on_curve: on_geometry::COMPOSE,
         on_surface: surface_compositions::COMPOSE,
-        gives_function: true,
         call: |_, args| calculus::compose(args.value(0)?, args.value(1)?),
         ..NEW
     },
@@ -247,6 +247,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "gcd",
         parameters: &[many("a, b, ...", Takes::Scalar, 1, "numbers or polynomials")],
         summary: "the greatest common divisor of numbers or polynomials, with that of their coefficients",
+        gives: Gives::Scalar,
         example: "gcd(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {
             let mut common = polynomial(args, 0)?;
@@ -261,6 +262,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "lcm",
         parameters: &[many("a, b, ...", Takes::Scalar, 1, "numbers or polynomials")],
         summary: "the least common multiple: the product of two divided by their greatest common divisor",
+        gives: Gives::Scalar,
         example: "lcm(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {
             let mut multiple = polynomial(args, 0)?;
@@ -283,8 +285,8 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "quotient",
         parameters: DIVISION,
         summary: "the quotient of the division of F by G with remainder",
+        gives: Gives::Function,
         example: "quotient(t^3 + 1, t - 1, t)",
-        gives_function: true,
         call: |_, args| divided(args).map(|(q, _)| Value::Scalar(q)),
         ..NEW
     },
@@ -292,8 +294,8 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "remainder",
         parameters: DIVISION,
         summary: "the remainder of the division of F by G",
+        gives: Gives::Function,
         example: "remainder(t^3 + 1, t - 1, t)",
-        gives_function: true,
         call: |_, args| divided(args).map(|(_, r)| Value::Scalar(r)),
         ..NEW
     },
@@ -301,6 +303,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "numerator",
         parameters: &[required("R", Takes::Scalar, "the fraction")],
         summary: "the numerator in lowest terms",
+        gives: Gives::Scalar,
         example: "numerator((t^2 - 1)/(t - 1))",
         call: |_, args| Ok(part(&args.scalar(0)?, true)),
         ..NEW
@@ -309,6 +312,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "denominator",
         parameters: &[required("R", Takes::Scalar, "the fraction")],
         summary: "the denominator in lowest terms",
+        gives: Gives::Scalar,
         example: "denominator(1/(2t) + 1/3)",
         call: |_, args| Ok(part(&args.scalar(0)?, false)),
         ..NEW
@@ -321,6 +325,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("t", Takes::Scalar, "t", "the parameter"),
         ],
         summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), or 0; without i, all of them",
+        gives: Gives::Point,
         example: "bernstein(3, 1, t)",
         call: |_, args| {
             let n = args.size(0)?;

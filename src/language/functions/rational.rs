@@ -2,16 +2,17 @@
 
 use super::curves::interval;
 use super::differential::{PARAMETER, derivatives};
-use super::parameter::{CURVE, END, Parameter, START, Takes, alternatives, named, required, size};
+use super::gives::Gives;
+use super::parameter::{CURVE, END, Parameter, START, named, required, size};
 use super::solve::system_error;
 use super::surfaces::{tensor, triangular};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::geometry::{as_rational_form, bezier, points_of, scalar_list};
+use crate::language::ops::takes::{Takes, alternatives, word_of};
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{
     self, CircleArc, ConicKind, ImplicitConic, Interval, Point, RationalCurve, RationalPatch,
@@ -37,6 +38,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "conic_arc",
         parameters: &[THREE, required("w", Takes::Scalar, "the weight of p_1")],
         summary: "the conic of three points with weights 1, w, 1",
+        gives: Gives::Curve,
         example: "conic_arc([[1, 0], [1, 1], [0, 1]], 1)(1/2)",
         call: |_, args| {
             let arc = curve::conic_arc(three_points(args, 0)?, args.scalar(1)?);
@@ -48,6 +50,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "conic_through",
         parameters: &[THREE, required("q", Takes::Point, "the point")],
         summary: "the conic from p_0 to p_2 with tangents towards p_1 that passes through q",
+        gives: Gives::Curve,
         example: "conic_through([[1, 0], [1, 1], [0, 1]], [3/5, 4/5])",
         call: |_, args| {
             let arc = curve::conic_through(three_points(args, 0)?, &args.point(1)?);
@@ -59,6 +62,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "conic_kind",
         parameters: &[CURVE],
         summary: "ellipse, parabola or hyperbola: w_1^2 less than, equal to or greater than w_0 w_2",
+        gives: Gives::Text,
         example: "conic_kind(conic_arc([[1, 0], [1, 1], [0, 1]], 1/2))",
         call: |_, args| {
             let curve = rational_curve(args, 0)?;
@@ -90,6 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "implicit_conic",
         parameters: &[CURVE],
         summary: "the polynomial in x and y that vanishes on a rational quadratic curve of the plane",
+        gives: Gives::Scalar,
         example: "implicit_conic(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]))",
         call: |_, args| {
             let conic = ImplicitConic::new(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
@@ -104,10 +109,14 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "implicit",
-        parameters: &[
-            required("curve", Takes::Any, "a Bézier curve, or its coordinates as formulas").shown("c")
-        ],
+        parameters: &[required(
+            "curve",
+            Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
+            "a Bézier curve, or its coordinates as formulas",
+        )
+        .shown("c")],
         summary: "the polynomial in x and y that is 0 on a plane curve; in space, several in x, y and z",
+        gives: Gives::Any,
         example: "implicit([t^2 - 1, t^3 - t])",
         call: |_, args| implicit(args),
         ..NEW
@@ -116,6 +125,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "conic_centre",
         parameters: &[CURVE],
         summary: "the centre of symmetry of a conic of the plane; a parabola has none",
+        gives: Gives::Point,
         example: "conic_centre(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]))",
         call: |_, args| {
             let conic = ImplicitConic::new(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
@@ -140,6 +150,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("long=1", Takes::Flag, "0", "whether it is the longer of the two arcs"),
         ],
         summary: "the arc of the circle about m from p to q; form=rational for other end weights",
+        gives: Gives::Curve,
         example: "circle_arc([0, 0], [1, 0], [7/25, 24/25])",
         call: |_, args| {
             let arc = CircleArc::new(args.point(0)?, args.point(1)?, args.point(2)?);
@@ -171,6 +182,7 @@ pub(super) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "the circle about m through p: quintic or quartic as one curve, quarters or thirds",
+        gives: Gives::Curve,
         example: "circle([0, 0], [1, 0])(1/2)",
         call: |_, args| {
             let m = args.point(0)?;
@@ -195,6 +207,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "standard_form",
         parameters: &[CURVE],
         summary: "the same rational curve with both end weights 1, where the root is rational",
+        gives: Gives::Curve,
         example: "standard_form(bezier([0, 1, 2], weights=[1, 2, 4]))",
         call: |_, args| {
             let curve = rational_curve(args, 0)?.standard_form().map_err(curve_error).at(args.span(0))?;
@@ -206,6 +219,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "shape_invariants",
         parameters: &[CURVE],
         summary: "the quotients w_(i-1) w_(i+1)/w_i^2, which no change of parameter alters",
+        gives: Gives::Scalars,
         example: "shape_invariants(bezier([0, 1, 2], weights=[1, 2, 3]))",
         call: |_, args| {
             rational_curve(args, 0)?.shape_invariants().map(scalar_list).map_err(curve_error).at(args.span(0))
@@ -216,6 +230,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "farin_points",
         parameters: &[CURVE],
         summary: "the weight points (w_i b_i + w_(i+1) b_(i+1))/(w_i + w_(i+1)) on the control polygon",
+        gives: Gives::Points,
         example: "farin_points(bezier([0, 1, 2], weights=[1, 2, 1]))",
         call: |_, args| {
             let form = Form { rational: false, ..args.bezier(0)?.1 };
@@ -233,6 +248,7 @@ pub(super) const TABLE: &[Builtin] = &[
             END,
         ],
         summary: "the rational curve with these control points and Farin points, and w_0 = 1",
+        gives: Gives::Curve,
         example: "farin_points(from_farin_points([[0, 0], [3, 0], [3, 3]], [[2, 0], [3, 1]]))",
         call: |_, args| {
             let ((points, form), (farin, _)) = (args.control_points(0)?, args.control_points(1)?);
@@ -246,6 +262,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "derivatives_at",
         parameters: &[CURVE, PARAMETER, size("k", "the highest order")],
         summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
+        gives: Gives::List,
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
         on_surface: on_surface::DERIVATIVES_AT,
         call: |_, args| {
@@ -268,6 +285,7 @@ pub(super) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "an octant of a sphere: a biquadratic patch, or form=triangle of degree 4",
+        gives: Gives::Surface,
         example: "sphere_octant([0, 0, 0], 1)(1/2, 1/2)",
         call: |_, args| {
             let (m, r) = (args.point(0)?, args.scalar(1)?);
@@ -298,6 +316,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("axis=[p, q]", Takes::Points, "the z axis", "two points of the axis"),
         ],
         summary: "the surface of revolution of a profile (x, z) about the z axis, or any axis: four patches",
+        gives: Gives::Surfaces,
         example: "revolve(bezier([[2, 0], [0, 1]]))",
         call: |_, args| revolve(args),
         ..NEW

@@ -1,11 +1,13 @@
 //! Blossoms beyond polynomials: multirational ones, those in other spaces of functions; homogeneous arguments.
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, VARIABLE, many, required};
+use super::gives::Gives;
+use super::parameter::{Parameter, VARIABLE, many, required};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula::{self, variable_of};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{PolarKind, Value};
 use crate::math::blossom::{
     MultirationalError, Osculation, chebyshev_point, homogeneous_value, multirational,
@@ -42,6 +44,7 @@ pub(super) const TABLE: &[Builtin] = &[
             .shown("[[u_1, w_1], ..., [u_n, w_n]]"),
         ],
         summary: "w_1 ... w_n f(u_1/w_1, ..., u_n/w_n): the polar form as a form linear in each pair",
+        gives: Gives::Scalar,
         example: "multilinear(t^2 + t, [[t, w], [t, w]])",
         call: |_, args| multilinear(args),
         ..NEW
@@ -50,6 +53,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "multirational",
         parameters: MULTIRATIONAL,
         summary: "the multirational blossom f(u_1, ..., u_m / v_1, ..., v_n), where it is rational",
+        gives: Gives::Scalar,
         example: "multirational(1/t, [u], [v, w])",
         call: |_, args| {
             let (f, t) = function(args, 0)?;
@@ -68,6 +72,7 @@ pub(super) const TABLE: &[Builtin] = &[
             many("u_1, ..., u_n", Takes::Scalar, 1, "the arguments, one for each function"),
         ],
         summary: "the blossom of F in the space of 1, phi_1, ..., phi_n, by osculating flats",
+        gives: Gives::Scalar,
         example: "chebyshev_blossom(t^3, [t, t^3], u, v)",
         call: |_, args| chebyshev(args),
         ..NEW

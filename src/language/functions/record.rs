@@ -1,16 +1,17 @@
 //! The record of a function, and everything that is derived from it: the check of its arguments,
 //! its form in messages, hints and help.
 
-use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::errors::curve_error;
 use crate::language::ops::formula::{is_parameter, symbol_of};
 use crate::language::ops::geometry::{bezier, points_of};
 use crate::language::ops::polar::levelled;
 
-use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
+use super::gives::Gives;
+use super::parameter::{DEGREE, NODES, Need, Parameter, VALUES};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Form, Geometry, PolarKind, Value, free_parameter};
 use crate::math::curve::{BezierCurve, Interval};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -31,14 +32,14 @@ pub struct Builtin {
     pub common: &'static [Parameter],
     /// What it does, in one line.
     pub summary: &'static str,
+    /// What it gives.
+    pub gives: Gives,
     /// An example that runs.
     pub example: &'static str,
     /// The chapter of the reference it belongs to.
     pub topic: &'static str,
     /// Whether it works coordinate by coordinate when its first argument is a list.
     pub each: bool,
-    /// Whether what it gives is a function, also where the formula of that is a number: `diff(t, t)(2)` is 1.
-    pub gives_function: bool,
     /// What it does when its first argument is a curve or piecewise polynomial, if that differs.
     pub on_curve: Option<Variant>,
     /// What it does when its first argument is a surface, if that differs.
@@ -61,6 +62,8 @@ pub struct Builtin {
 pub struct Variant {
     /// What it can be told then.
     pub parameters: &'static [Parameter],
+    /// What it gives then.
+    pub gives: Gives,
     /// How it works then.
     pub call: Way,
 }
@@ -77,16 +80,18 @@ pub enum Way {
 impl Variant {
     pub(super) const fn new(
         parameters: &'static [Parameter],
+        gives: Gives,
         call: fn(&Arguments) -> Evaluated,
     ) -> Option<Self> {
-        Some(Variant { parameters, call: Way::Plain(call) })
+        Some(Variant { parameters, gives, call: Way::Plain(call) })
     }
 
     pub(super) const fn noting(
         parameters: &'static [Parameter],
+        gives: Gives,
         call: fn(&mut Machine, &Arguments) -> Evaluated,
     ) -> Option<Self> {
-        Some(Variant { parameters, call: Way::Noting(call) })
+        Some(Variant { parameters, gives, call: Way::Noting(call) })
     }
 }
 
@@ -107,7 +112,7 @@ impl Builtin {
             example: "",
             topic,
             each: false,
-            gives_function: false,
+            gives: Gives::Any,
             on_curve: None,
             on_surface: None,
             on_form: None,
@@ -124,18 +129,21 @@ impl Builtin {
     }
 
     /// How it is called with other kinds of first arguments.
-    pub fn other_forms(&self) -> impl Iterator<Item = (String, &'static [Parameter])> {
-        self.variants().map(|variant| (self.form(variant.parameters), variant.parameters))
+    pub fn other_forms(&self) -> impl Iterator<Item = (String, &Variant)> {
+        self.variants().map(|variant| (self.form(variant.parameters), variant))
     }
 
     /// All about it, for a terminal: its forms, what it does, its parameters and an example.
     pub fn help(&self) -> Vec<String> {
         let mut lines = vec![self.signature(), format!("  {}", self.summary)];
+        if self.gives != Gives::Any {
+            lines.push(format!("  gives {}", self.gives.description()));
+        }
         let list = |parameter: &Parameter| format!("    {}: {}", parameter.called(), parameter.explanation());
         lines.extend(self.parameters.iter().chain(self.common).map(list));
-        for (form, parameters) in self.other_forms() {
+        for (form, variant) in self.other_forms() {
             lines.push(format!("  {form}"));
-            lines.extend(parameters.iter().map(list));
+            lines.extend(variant.parameters.iter().map(list));
         }
         for subject in self.subjects {
             lines.push(format!("  {}: {}", subject.signature(), subject.summary));
@@ -192,7 +200,7 @@ impl Builtin {
         }
         let at =
             |list: &'static [Parameter]| list.iter().filter(|parameter| parameter.has_place()).nth(place);
-        self.parameter_lists().filter_map(at).any(|parameter| parameter.kind.words().contains(&word))
+        self.parameter_lists().filter_map(at).any(|parameter| parameter.kind.has_word(word))
     }
 
     /// Whether a bare name as the argument under a name is a word that is not evaluated. Words that
@@ -207,8 +215,7 @@ impl Builtin {
         if own.peek().is_none() {
             return all().all(|parameter| parameter.need != Need::Free);
         }
-        own.map(|parameter| parameter.kind.words())
-            .any(|words| words.contains(&word) || (!defined && !words.is_empty()))
+        own.any(|parameter| parameter.kind.has_word(word) || (!defined && !parameter.kind.words().is_empty()))
     }
 
     /// Checks the arguments and calls the function, as it works on its first argument.
@@ -234,16 +241,16 @@ impl Builtin {
 
     fn run_once(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
         let variant = args.values().next().and_then(|first| self.variant(first));
-        match variant {
-            Some(variant) => {
-                let args = self.checked(variant.parameters, args)?;
-                match variant.call {
-                    Way::Plain(call) => call(&args),
-                    Way::Noting(call) => call(machine, &args),
-                }
-            }
-            None => (self.call)(machine, &self.checked(self.parameters, args)?),
-        }
+        let (parameters, gives) =
+            variant.map_or((self.parameters, self.gives), |variant| (variant.parameters, variant.gives));
+        let args = self.checked(parameters, args)?;
+        let value = match variant.map(|variant| variant.call) {
+            Some(Way::Plain(call)) => call(&args),
+            Some(Way::Noting(call)) => call(machine, &args),
+            None => (self.call)(machine, &args),
+        }?;
+        debug_assert!(gives.includes(&value), "{self:?} gives {}, not {}", value.kind(), gives.description());
+        Ok(value)
     }
 
     /// roots(bezier([1, -1, 1])): a Bézier polynomial where a polynomial is expected, and its interval where one is.
@@ -386,7 +393,8 @@ impl Builtin {
     /// The arguments, each at the place of its parameter, if there are as many as needed and all
     /// names are known.
     fn checked(&self, parameters: &[Parameter], args: Arguments) -> Result<Arguments> {
-        let mut args = with_variable_apart(parameters, with_variables_together(parameters, args));
+        let args = with_letter_left_out(parameters, with_variables_together(parameters, args));
+        let mut args = with_variable_apart(parameters, args);
         let by_place: Vec<&Parameter> = parameters.iter().filter(|p| p.has_place()).collect();
         let by_name = || parameters.iter().chain(self.common).filter(|p| matches!(p.need, Need::Named(_)));
         let placeable = names_places(parameters);
@@ -418,7 +426,45 @@ impl Builtin {
             }
         }
         self.check_count(parameters, &by_place, &args)?;
+        self.check_kinds(parameters, &by_place, &args)?;
+        for parameter in parameters.iter().chain(self.common) {
+            let Some(value) = parameter.default_value() else { continue };
+            match by_place.iter().position(|own| std::ptr::eq(*own, parameter)) {
+                Some(place) if args.given(place).is_none() => args.put(place, value, Span::default()),
+                None if args.named(parameter.name).is_none() => {
+                    args.push_named(parameter.name.to_owned(), value, Span::default());
+                }
+                _ => {}
+            }
+        }
         Ok(args)
+    }
+
+    /// Each argument has to be what its parameter says.
+    fn check_kinds(&self, parameters: &[Parameter], by_place: &[&Parameter], args: &Arguments) -> Result<()> {
+        let placed = (0..args.len()).filter_map(|place| {
+            let several = |last: &&&Parameter| matches!(last.need, Need::Many(..));
+            let parameter = by_place.get(place).or(by_place.last().filter(several))?;
+            args.given(place).map(|(value, span)| (*parameter, value, span))
+        });
+        let named = parameters.iter().chain(self.common).filter(|own| matches!(own.need, Need::Named(_)));
+        let named = named
+            .filter_map(|parameter| args.named(parameter.name).map(|(value, span)| (parameter, value, span)));
+        for (parameter, value, span) in placed.chain(named) {
+            let kind = parameter.kind;
+            if !kind.accepts(value) {
+                let error = kind.refuses(value).at(span);
+                let (name, words) = (parameter.name, kind.words());
+                let usual = parameter.default().filter(|word| words.contains(word));
+                return Err(match (usual, words.last()) {
+                    _ if !error.hints.is_empty() || !parameter.has_name() => error,
+                    (Some(word), _) => error.hint(format!("{name}={word} is the usual one")),
+                    (None, Some(word)) => error.hint(format!("for example {name}={word}")),
+                    (None, None) => error,
+                });
+            }
+        }
+        Ok(())
     }
 
     fn unknown<'a>(
@@ -483,6 +529,19 @@ fn with_variables_together(parameters: &[Parameter], mut args: Arguments) -> Arg
             args.take_place(place + 1);
         }
         args.put(place, Value::List(symbols.into_iter().map(|(value, _)| value).collect()), span);
+    }
+    args
+}
+
+/// integrate(F, 0, 1): where a variable may be left out, a number belongs to the next place.
+fn with_letter_left_out(parameters: &[Parameter], mut args: Arguments) -> Arguments {
+    let by_place: Vec<&Parameter> = parameters.iter().filter(|parameter| parameter.has_place()).collect();
+    let letter = |p: &&Parameter| p.kind == Takes::Variable && matches!(p.need, Need::Optional(_));
+    let several = by_place.iter().any(|parameter| matches!(parameter.need, Need::Many(..)));
+    let Some(place) = by_place.iter().position(letter).filter(|_| !several) else { return args };
+    let number = args.given(place).is_some_and(|(value, _)| symbol_of(value).is_none());
+    if number && place + 1 < by_place.len() && args.len() < by_place.len() {
+        args.leave_out(place);
     }
     args
 }

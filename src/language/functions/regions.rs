@@ -1,13 +1,15 @@
 //! Positivity on rectangles and triangles, boxes and tetrahedra.
 
 use super::Builtin;
-use super::parameter::{Takes, optional, required};
+use super::gives::Gives;
+use super::parameter::{optional, required};
 use super::told::{LANG, told};
 use crate::language::derive;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::symbol_of;
+use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
 use crate::math::curve::Region;
 use crate::math::number::Rational;
@@ -26,6 +28,7 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
     ],
     common: &[LANG],
     summary: "why F >= 0 on a box, triangle or tetrahedron, by Bernstein coefficients, or where F < 0",
+    gives: Gives::Derivation,
     example: "positivity_over(1 - u v, [[0, 1], [0, 1]])",
     call: |_, args| positivity(args),
     ..Builtin::about("Roots of polynomials")

@@ -1,7 +1,8 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
+use super::gives::Gives;
+use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use super::told::{LANG, told};
 use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -9,6 +10,7 @@ use crate::language::eval::extremes::{self, Within};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{self, Univariate};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Value, in_letter};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MultiPoly, Poly, RealRoot, Symbol};
@@ -50,6 +52,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "roots",
         parameters: &[POLYNOMIAL, LOWER, UPPER, WIDTH, VARIABLE],
         summary: "the real roots in increasing order, each as often as its multiplicity, exactly",
+        gives: Gives::List,
         example: "roots((t - 1)^2 (t^2 - 2))",
         call: roots,
         ..NEW
@@ -64,6 +67,7 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "the only real root in [a, b], a number that can be compared with others",
+        gives: Gives::Scalar,
         example: "root_of(t^2 - 2, 1, 2) < 3/2",
         call: root_of,
         ..NEW
@@ -76,6 +80,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("b", Takes::Number, "all real numbers", "the upper end, counted"),
         ],
         summary: "how many different real roots a polynomial has, or how many in (a, b], exactly (Sturm)",
+        gives: Gives::Count,
         example: "count_roots(t^3 - t, 0, 2)",
         call: |_, args| {
             let (polynomial, _) = numeric(args, 0)?;
@@ -102,6 +107,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "maximum",
         parameters: EXTREME,
         summary: "the largest value on [a, b], exactly; a note says where it is taken",
+        gives: Gives::Scalar,
         example: "maximum(3t(1 - t)^2, 0, 1)",
         call: |machine, args| extreme(machine, args, true),
         ..NEW
@@ -110,6 +116,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "minimum",
         parameters: EXTREME,
         summary: "the smallest value on [a, b], exactly; a note says where it is taken",
+        gives: Gives::Scalar,
         example: "minimum(t^3 - t, 0, 1)",
         call: |machine, args| extreme(machine, args, false),
         ..NEW
@@ -118,6 +125,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "sturm",
         parameters: &[POLYNOMIAL, VARIABLE],
         summary: "Sturm's chain F, F', -(F mod F'), ... up to positive factors",
+        gives: Gives::Functions,
         example: "sturm(t^3 - 3t + 1)",
         call: |_, args| {
             let (polynomial, variable) = numeric(args, 0)?;
@@ -135,6 +143,7 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[POLYNOMIAL, LOWER, UPPER, VARIABLE],
         common: &[LANG],
         summary: "why F >= 0 on [a, b], by coefficients that anybody can check, or where F < 0",
+        gives: Gives::Derivation,
         example: "positivity(t^2 - t + 1/3, 0, 1)",
         call: |_, args| {
             let (polynomial, variable) = numeric(args, 0)?;
@@ -151,6 +160,7 @@ pub(super) const TABLE: &[Builtin] = &[
             LETTER,
         ],
         summary: "the resultant, 0 if and only if F and G have a common root or factor",
+        gives: Gives::Scalar,
         example: "resultant(x - t^2, y - t^3, t)",
         call: |_, args| {
             let (f, g) = (args.scalar(0)?, args.scalar(1)?);
@@ -167,6 +177,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "discriminant",
         parameters: &[required("F", Takes::Scalar, "the polynomial"), LETTER],
         summary: "the discriminant, 0 if and only if F has a repeated root",
+        gives: Gives::Scalar,
         example: "discriminant(a x^2 + b x + c, x)",
         call: |_, args| {
             let f = args.scalar(0)?;

@@ -1,12 +1,14 @@
 //! Surfaces cut by planes, by equations and by other surfaces; surfaces as an intersection needs them.
 
 use super::Builtin;
+use super::gives::Gives;
 use super::intersections::equation;
-use super::parameter::{Parameter, Takes, required};
+use super::parameter::{Parameter, required};
 use super::solve::system_error;
 use super::surface_schemes::surface_coordinates;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Geometry, Value};
 use crate::math::curve::{ParametricSurface, Point, surface_equation};
 use crate::math::number::Rational;
@@ -17,8 +19,12 @@ use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const SURFACE: Parameter =
-    required("surface", Takes::Any, "a patch, or three coordinates as formulas in u and v").shown("s");
+const SURFACE: Parameter = required(
+    "surface",
+    Takes::OneOf(&[Takes::Surface, Takes::Coordinates]),
+    "a patch, or three coordinates as formulas in u and v",
+)
+.shown("s");
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "intersection_curve",
@@ -26,12 +32,13 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
         SURFACE,
         required(
             "other",
-            Takes::Any,
+            Takes::OneOf(&[Takes::Scalar, Takes::Equations, Takes::Surface, Takes::Coordinates]),
             "the left side of F(x, y, z) = 0, an equation, or a surface of low degree",
         )
         .shown("d"),
     ],
     summary: "the polynomial in u and v that is 0 where a surface meets F(x, y, z) = 0 or another",
+    gives: Gives::Scalar,
     example: "intersection_curve([u, v, u v], x + y - z)",
     call: |_, args| intersection_curve(args),
     ..Builtin::about("Intersections")

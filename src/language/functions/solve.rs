@@ -1,19 +1,20 @@
 //! `solve`: linear equations in unknowns, polynomial ones with finitely many solutions; Gröbner bases.
 
+use super::gives::Gives;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
-use super::parameter::{Parameter, Takes, named, optional, required};
+use super::parameter::{Parameter, named, optional, required};
 use super::record::{Builtin, Variant};
 use super::roots::note_complex;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::{division_by_zero, linalg_error, wrong_kind};
 use crate::language::ops::formula::symbol_of;
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Claim, PolarKind, Value, grouped_expr, polynomial_expr, symbol_expr};
 use crate::language::write::text;
 use crate::math::linalg::solutions;
@@ -25,17 +26,23 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 
 const PARAMETERS: &[Parameter] = &[
     required("equations", Takes::Equations, "equations, linear or polynomial").shown("[equation, ...]"),
-    optional("unknowns", Takes::Any, "all symbols", "the unknown, or the list of them").shown("[x, ...]"),
+    optional(
+        "unknowns",
+        Takes::OneOf(&[Takes::Variable, Takes::List]),
+        "all symbols",
+        "the unknown, or the list of them",
+    )
+    .shown("[x, ...]"),
     named(
         "all=t",
-        Takes::Any,
+        Takes::OneOf(&[Takes::Variable, Takes::Variables]),
         "no symbol",
         "the symbol for all values of which the equations hold, or the list",
     ),
 ];
 
 /// How `solve` works on equations.
-pub(super) const EQUATIONS: Option<Variant> = Variant::noting(PARAMETERS, solve);
+pub(super) const EQUATIONS: Option<Variant> = Variant::noting(PARAMETERS, Gives::Any, solve);
 
 /// The solutions of F = 0, where F stands by itself.
 pub(super) fn zeros_of(machine: &mut Machine, args: &Arguments, formula: &Fraction) -> Evaluated {
@@ -319,7 +326,8 @@ pub(super) fn system_error(error: SystemError) -> Diagnostic {
 }
 
 const BASIS_PARAMETERS: &[Parameter] = &[
-    required("F", Takes::Any, "the polynomials, or equations").shown("[F_1, ...]"),
+    required("F", Takes::OneOf(&[Takes::Coordinates, Takes::Equations]), "the polynomials, or equations")
+        .shown("[F_1, ...]"),
     required("unknowns", Takes::Variables, "the unknowns, the largest first").shown("[x, ...]"),
     named("order=lex", Takes::Word(&["lex", "grlex", "grevlex"]), "lex", "the order of the monomials"),
 ];
@@ -328,8 +336,9 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "groebner",
     parameters: BASIS_PARAMETERS,
     summary: "the reduced Groebner basis of polynomials or equations, without denominators",
+    gives: Gives::Functions,
     example: "groebner([x^2 + y^2 - 1, x - y], [x, y])",
-    on_equations: Variant::new(BASIS_PARAMETERS, |args| {
+    on_equations: Variant::new(BASIS_PARAMETERS, Gives::Any, |args| {
         let Value::Claim(claim) = args.value(0)? else { return Err(wrong_kind("equations", args.value(0)?)) };
         groebner(args, &zeros(claim).at(args.span(0))?)
     }),

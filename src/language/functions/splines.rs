@@ -1,5 +1,6 @@
 //! B-splines and piecewise polynomials.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{piecewise_error, polar_error, spline_error, wrong_kind};
 use crate::language::ops::formula;
@@ -7,13 +8,13 @@ use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use std::sync::Arc;
 
 use super::parameter::{
-    DEGREE, HOMOGENEOUS, KNOTS, Parameter, SPAN, SPLINE, Takes, VARIABLE, many, named, optional, required,
-    size,
+    DEGREE, HOMOGENEOUS, KNOTS, Parameter, SPAN, SPLINE, VARIABLE, many, named, optional, required, size,
 };
 use super::{Builtin, on_surface};
 use crate::formula::{Expr, Kind, Sign, Term};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value, free_parameter, polynomial_expr};
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -43,6 +44,7 @@ pub(super) const TABLE: &[Builtin] = &[
             HOMOGENEOUS,
         ],
         summary: "the spline of degree n with these knots and control points; k = m + n + 1",
+        gives: Gives::Spline,
         example: "bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4])(1)",
         call: |_, args| {
             let knots = knots(args)?;
@@ -61,6 +63,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("weights=[w_0, ..., w_(m-1)]", Takes::Scalars, "all 1", "the weights of the points"),
         ],
         summary: "the closed spline with knots t_0 < ... < t_m over one period and m control points",
+        gives: Gives::Spline,
         example: "periodic_spline(2, [0, 1, 2, 3], [[0, 0], [3, 0], [0, 3]])",
         call: |_, args| {
             let n = args.size(0)?;
@@ -84,6 +87,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "spline_of",
         parameters: &[required("F", Takes::Polynomial, "the polynomial"), DEGREE, KNOTS, VARIABLE],
         summary: "a polynomial as a spline: control points f(t_(i+1), ..., t_(i+n)), as Marsden says",
+        gives: Gives::Spline,
         example: "spline_of((x - t)^2, 2, [0, 0, 0, 1, 2, 2, 2], variable=t)",
         call: |_, args| {
             let given = args.univariate(0)?;
@@ -104,6 +108,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("pieces", Takes::List, "a Bézier curve for each interval").shown("[c_0, c_1, ...]"),
         ],
         summary: "Bézier curves over the knot intervals joined to a spline, where they fit exactly",
+        gives: Gives::Spline,
         example: "spline_from_pieces(1, [0, 0, 1, 2, 2], [bezier([0, 1]), bezier([1, 5], 1, 2)])",
         call: |_, args| {
             let knots = knots(args)?;
@@ -131,6 +136,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("h", Takes::Scalar, "1", "the distance of knots"),
         ],
         summary: "the knots a, a + h, ... for m control points of degree n (a = 0, h = 1)",
+        gives: Gives::Scalars,
         example: "uniform_knots(3, 5)",
         call: |_, args| {
             let a = args.optional_scalar(2)?.unwrap_or_else(Fraction::zero);
@@ -148,6 +154,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 .shown("[a, t_1, ..., b]"),
         ],
         summary: "the same knots with both ends repeated n + 1 times",
+        gives: Gives::Scalars,
         example: "clamped_knots(2, [0, 1, 2])",
         call: |_, args| {
             let n = args.size(0)?;
@@ -166,6 +173,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "greville",
         parameters: &[size("n", "the degree; or a spline alone"), OWN_KNOTS],
         summary: "the Greville abscissae: means of n consecutive knots",
+        gives: Gives::Scalars,
         example: "greville(3, [0, 0, 0, 0, 1, 2, 2, 2, 2])",
         call: |_, args| {
             let knots = knots_or_spline(args)?;
@@ -177,6 +185,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "knots",
         parameters: &[SPLINE],
         summary: "the knots of a spline",
+        gives: Gives::Scalars,
         example: "knots(bspline(1, [0, 0, 1, 2, 2], [1, 3, 2]))",
         call: |_, args| Ok(scalar_list(args.spline(0)?.0.knots().knots().iter().cloned())),
         ..NEW
@@ -185,6 +194,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "multiplicities",
         parameters: &[size("n", "the degree; or a spline alone"), OWN_KNOTS],
         summary: "the distinct knots with their multiplicities and the smoothness n - s they promise",
+        gives: Gives::Table,
         example: "multiplicities(2, [0, 0, 0, 1, 1, 2, 2, 2])",
         call: |_, args| {
             let knots = knots_or_spline(args)?;
@@ -202,6 +212,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "labels",
         parameters: &[SPLINE],
         summary: "each control point with its polar label f(t_(i+1), ..., t_(i+n)) and Greville abscissa",
+        gives: Gives::Table,
         example: "labels(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]))",
         on_surface: on_surface::LABELS,
         call: |_, args| {
@@ -222,6 +233,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "bspline_basis",
         parameters: &[DEGREE, KNOTS, optional("i", Takes::Size, "all of them", "the number of the function")],
         summary: "the basis function N_i^n as a piecewise polynomial; without i, all of them",
+        gives: Gives::Piecewise,
         example: "bspline_basis(2, [0, 1, 2, 3], 0)(3/2)",
         call: |_, args| {
             let knots = knots(args)?;
@@ -250,6 +262,7 @@ pub(super) const TABLE: &[Builtin] = &[
             VARIABLE,
         ],
         summary: "polynomials between breakpoints; with outside=0 it is 0 elsewhere",
+        gives: Gives::Piecewise,
         example: "piecewise([0, 1, 2], [t, 2 - t], outside=0)",
         call: |_, args| {
             let breaks = args.scalars(0)?;
@@ -298,6 +311,7 @@ pub(super) const TABLE: &[Builtin] = &[
             SPAN,
         ],
         summary: "de Boor's scheme with polar labels, for one parameter or for n of them",
+        gives: Gives::Table,
         example: "deboor(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 1/2)",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
@@ -311,6 +325,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "insert_knots",
         parameters: &[SPLINE, many("t_1, ..., t_k", Takes::ScalarOrList, 1, "the new knots"), SPAN],
         summary: "the same curve with these knots added; span=j names the interval of a symbol",
+        gives: Gives::Spline,
         example: "insert_knots(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 1/2, 1/2)",
         on_surface: on_surface::INSERT_KNOTS,
         call: |_, args| {
@@ -335,6 +350,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "insertion_ratios",
         parameters: &[DEGREE, KNOTS, required("t", Takes::Scalar, "the new knot"), SPAN],
         summary: "the ratios (t - t_i)/(t_(i+n) - t_i) by which inserting t mixes d_(i-1) and d_i",
+        gives: Gives::Table,
         example: "insertion_ratios(2, [t_0, t_1, t_2, t_3, t_4, t_5], t, span=2)",
         call: |_, args| {
             let knots = knots(args)?;
@@ -359,6 +375,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 .shown("[t_0, ..., t_k]"),
         ],
         summary: "the same curve over finer knots (the Oslo algorithm), the outer ones as you like",
+        gives: Gives::Spline,
         example: "refine(bspline(1, [0, 0, 2, 2], [1, 5]), [0, 0, 1, 2, 2])",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
@@ -379,6 +396,7 @@ pub(super) const TABLE: &[Builtin] = &[
             named("times=k", Takes::Size, "1", "how often it is removed"),
         ],
         summary: "the same curve with an inner knot removed, where that is exact",
+        gives: Gives::Spline,
         example: "remove_knot(insert_knots(bspline(2, [0, 0, 0, 2, 2, 2], [1, 3, 2]), 1), 1)",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
@@ -402,6 +420,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "pieces",
         parameters: &[required("spline", Takes::Spline, "the spline or piecewise polynomial").shown("s")],
         summary: "the Bézier curves of a spline, or the polynomials of a piecewise one",
+        gives: Gives::Curves,
         example: "pieces(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]))",
         on_surface: on_surface::PIECES,
         call: |_, args| {
@@ -417,6 +436,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "power_pieces",
         parameters: &[SPLINE],
         summary: "a spline as a piecewise polynomial in t, one for each coordinate",
+        gives: Gives::Piecewise,
         example: "power_pieces(bspline(1, [0, 0, 1, 2, 2], [1, 3, 2]))",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
@@ -434,6 +454,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "smoothness",
         parameters: &[SPLINE],
         summary: "for each inner knot: its multiplicity and how smooth the curve is there",
+        gives: Gives::Table,
         example: "smoothness(bspline(2, [0, 0, 0, 1, 1, 2, 2, 2], [1, 3, 5, 7, 4]))",
         call: |_, args| {
             let (s, _) = args.spline(0)?;
@@ -459,6 +480,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "spline_to_bezier",
         parameters: &[DEGREE, KNOTS],
         summary: "the matrix from control points to the Bézier points of all pieces",
+        gives: Gives::Matrix,
         example: "spline_to_bezier(2, [0, 0, 0, 1, 2, 2, 2])",
         call: |_, args| {
             knots(args)?.to_bezier_matrix().map(Value::Matrix).map_err(spline_error).at(args.span(1))
@@ -469,6 +491,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "spline_to_power",
         parameters: &[DEGREE, KNOTS, size("j", "the number of the interval [t_j, t_(j+1)]")],
         summary: "the matrix from the n + 1 control points of interval j to power coefficients in t",
+        gives: Gives::Matrix,
         example: "spline_to_power(3, uniform_knots(3, 4, -3), 3)",
         call: |_, args| {
             knots(args)?.power_matrix(args.size(2)?).map(Value::Matrix).map_err(spline_error).at(args.span(2))

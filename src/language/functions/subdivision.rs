@@ -1,24 +1,23 @@
 //! Subdivision of polygons and meshes, and the eigenvalues that decide how it behaves.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, named, optional, required, size};
-use super::vertices::MESHES;
-use crate::formula::source::Span;
+use super::notions::{self, scheme};
+use super::parameter::{Parameter, named, optional, required, size};
 use crate::formula::{Expr, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
-use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::ops::errors::{linalg_error, subdivision_error, wrong_kind};
 use crate::language::ops::geometry::{points_of, scalar_list};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value, polynomial_expr, symbol_expr};
 use crate::math::curve::Point;
 use crate::math::linalg::characteristic_polynomial;
-use crate::math::number::rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
-use crate::math::subdivision::{Contraction, Scheme, SubdivisionError, contraction, limit_stencil};
+use crate::math::subdivision::{Contraction, contraction, limit_stencil};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -27,7 +26,7 @@ const NEW: Builtin = Builtin::about("Subdivision");
 /// Norms are tried for so many steps if nothing else is said.
 const STEPS: usize = 8;
 
-const SCHEME: Parameter = required("scheme", Takes::Scheme, "the scheme, or its mask");
+const SCHEME: Parameter = required("scheme", notions::SCHEME, "the scheme, or its mask");
 
 const POLYGON: Parameter = required("points", Takes::Points, "the points").shown("[p_0, ..., p_m]");
 
@@ -44,6 +43,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivide_polygon",
         parameters: &[POLYGON, SCHEME, optional("k", Takes::Size, "1", "how many steps"), CLOSED],
         summary: "the polygon after k steps of a subdivision scheme; an open one loses its ends",
+        gives: Gives::Points,
         example: "subdivide_polygon([0, 4, 8, 4], chaikin)",
         call: |_, args| {
             let (points, form) = polygon(args)?;
@@ -57,6 +57,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivision_mask",
         parameters: &[SCHEME],
         summary: "the coefficients a_k of p'_i = sum of a_(i - 2j) p_j; index 0 stands in the middle",
+        gives: Gives::Scalars,
         example: "subdivision_mask([lane_riesenfeld, 3])",
         call: |_, args| Ok(scalar_list(scheme(args, 0)?.mask().iter().cloned())),
         ..NEW
@@ -65,6 +66,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivision_symbol",
         parameters: &[SCHEME, named("variable=z", Takes::Variable, "z", "the variable of the symbol")],
         summary: "the symbol, the sum of a_k z^k",
+        gives: Gives::Scalar,
         example: "factor(subdivision_symbol(chaikin))",
         call: |_, args| {
             let scheme = scheme(args, 0)?;
@@ -79,6 +81,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "sum_rules",
         parameters: &[SCHEME],
         summary: "the order k of the sum rules: (1 + z)^k divides the symbol, and no higher power",
+        gives: Gives::Count,
         example: "sum_rules(four_point)",
         call: |_, args| Ok(Value::int(scheme(args, 0)?.sum_rules() as i64)),
         ..NEW
@@ -87,6 +90,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivision_matrix",
         parameters: &[SCHEME, size("m", "the number of points"), CLOSED],
         summary: "the matrix of a step for m points: a_(i - 2j) in row i and column j",
+        gives: Gives::Matrix,
         example: "subdivision_matrix(chaikin, 3, closed=1)",
         call: |_, args| {
             let (scheme, m) = (scheme(args, 0)?, args.size(1)?);
@@ -99,6 +103,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "local_matrix",
         parameters: &[SCHEME],
         summary: "the matrix of a_(i - 2j) around a point; left eigenvectors give limits and tangents",
+        gives: Gives::Matrix,
         example: "local_matrix(cubic)",
         call: |_, args| Ok(Value::Matrix(scheme(args, 0)?.local_matrix())),
         ..NEW
@@ -107,6 +112,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "subdivision_smoothness",
         parameters: &[SCHEME, named("steps=L", Takes::Size, "8", "the most steps whose norm is tried")],
         summary: "how smooth the limits are, by the norms of the iterated difference schemes",
+        gives: Gives::Table,
         example: "subdivision_smoothness(four_point)",
         call: |_, args| {
             let (scheme, most) = (scheme(args, 0)?, args.named_size("steps")?.unwrap_or(STEPS));
@@ -141,6 +147,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "limit_stencil",
         parameters: &[SCHEME, optional("r", Takes::Size, "0", "the order of the derivative")],
         summary: "the weights of p_(i+j) in the limit point at p_i, or in the derivative there",
+        gives: Gives::Table,
         example: "limit_stencil(four_point, 1)",
         call: |_, args| {
             let stencil = stencil(args, 0, 1)?;
@@ -161,6 +168,7 @@ pub(super) const TABLE: &[Builtin] = &[
             CLOSED,
         ],
         summary: "the points to which those of a polygon converge, or the derivatives there",
+        gives: Gives::Points,
         example: "limit_points([[0, 0], [4, 0], [4, 4], [0, 4]], cubic, closed=1)",
         call: |_, args| {
             let (points, form) = polygon(args)?;
@@ -173,6 +181,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "characteristic_polynomial",
         parameters: &[MATRIX, LETTER],
         summary: "det(lambda I - M)",
+        gives: Gives::Scalar,
         example: "characteristic_polynomial([1, 1; 1, 0])",
         call: |_, args| {
             let lambda = letter(args, "lambda")?;
@@ -184,6 +193,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "eigenvalues",
         parameters: &[MATRIX, LETTER],
         summary: "the eigenvalues with multiplicities; those that are not rational by equations, isolated",
+        gives: Gives::Table,
         example: "eigenvalues(local_matrix(four_point))",
         call: |_, args| {
             let lambda = letter(args, "lambda")?;
@@ -219,73 +229,6 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
-
-/// The diagnostic for an error of subdivision.
-pub(super) fn subdivision_error(error: SubdivisionError) -> Diagnostic {
-    use SubdivisionError as E;
-    let message = error.to_string();
-    let (code, hint) = match error {
-        E::EmptyMask => (Code::Shape, "such as [1, 3, 3, 1]/4"),
-        E::TooFewPoints { .. } => (Code::ControlPoints, "closed=1 takes any number of points"),
-        E::Dimensions { .. } => (Code::ControlPoints, "give every point the same number of coordinates"),
-        E::Symbols => (Code::Undecided, "give the symbols values first"),
-        E::NotShown { .. } => (Code::Undecided, "subdivision_smoothness(scheme) tells what is known"),
-        E::NotDetermined { .. } => (Code::Undecided, "eigenvalues(local_matrix(scheme)) shows why"),
-        E::Valence { .. } => (Code::Domain, "the regular valence is 4, for triangles 6"),
-    };
-    Diagnostic::error(code, message).hint(hint)
-}
-
-/// Whether a word that stands alone names a scheme.
-pub(super) fn is_scheme(word: &str) -> bool {
-    matches!(word, "lane_riesenfeld" | "corner_cutting")
-        || Takes::Scheme.words().contains(&word)
-        || MESHES.contains(&word)
-}
-
-fn scheme(args: &Arguments, i: usize) -> Result<Scheme<Fraction>> {
-    read_scheme(args.value(i)?, args.span(i))
-}
-
-/// A word, a list such as [four_point, w], or a mask.
-fn read_scheme(value: &Value, span: Span) -> Result<Scheme<Fraction>> {
-    let wrong = || {
-        wrong_kind("a subdivision scheme", value)
-            .at(span)
-            .hint("chaikin, cubic, four_point, de_rham, [lane_riesenfeld, n], [four_point, w],")
-            .hint("[corner_cutting, lambda, mu], or a mask such as [1, 3, 3, 1]/4")
-    };
-    let number = |p: i64, q: i64| Fraction::from(rational(p, q));
-    let (word, rest) = match value {
-        Value::List(items) => {
-            let scalars = |items: &[Value]| -> Option<Vec<Fraction>> {
-                items.iter().map(|item| item.as_scalar().cloned()).collect()
-            };
-            if let Some(mask) = scalars(items) {
-                // As many coefficients before the middle as the masks with names have.
-                let first = -((mask.len().max(1) as i64 - 1) / 2);
-                return Scheme::new(mask, first).map_err(subdivision_error).at(span);
-            }
-            let (first, rest) = items.split_first().ok_or_else(wrong)?;
-            (word_of(first).ok_or_else(wrong)?, scalars(rest).ok_or_else(wrong)?)
-        }
-        single => (word_of(single).ok_or_else(wrong)?, Vec::new()),
-    };
-    Ok(match (word, rest.as_slice()) {
-        ("chaikin", []) => Scheme::lane_riesenfeld(2),
-        ("cubic", []) => Scheme::lane_riesenfeld(3),
-        ("de_rham", []) => Scheme::corner_cutting(&number(1, 3), &number(1, 3)),
-        ("four_point", []) => Scheme::four_point(&number(1, 16)),
-        ("four_point", [w]) => Scheme::four_point(w),
-        ("corner_cutting", [both]) => Scheme::corner_cutting(both, both),
-        ("corner_cutting", [lambda, mu]) => Scheme::corner_cutting(lambda, mu),
-        ("lane_riesenfeld", [n]) => {
-            let n = Value::Scalar(n.clone()).as_int().and_then(|n| usize::try_from(n).ok());
-            Scheme::lane_riesenfeld(n.ok_or_else(wrong)?)
-        }
-        _ => return Err(wrong()),
-    })
-}
 
 fn stencil(args: &Arguments, i: usize, order: usize) -> Result<crate::math::subdivision::Stencil<Fraction>> {
     let order = args.optional_size(order)?.unwrap_or(0);

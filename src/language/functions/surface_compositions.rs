@@ -1,7 +1,8 @@
 //! Curves on surfaces, and patches of patches.
 
+use super::gives::Gives;
 use super::on_surface::not_for;
-use super::parameter::{SURFACE, Takes, required};
+use super::parameter::{SURFACE, required};
 use super::record::Variant;
 use super::sections::is_surface;
 use super::surface_schemes::surface_coordinates;
@@ -11,6 +12,7 @@ use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, division_by_zero};
 use crate::language::ops::formula::coefficients_in;
 use crate::language::ops::geometry::bezier;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Geometry, Value};
 use crate::math::curve::{BezierCurve, Interval, Net, Point, TensorPatch};
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
@@ -23,10 +25,11 @@ pub(super) const COMPOSE: Option<Variant> = Variant::new(
         SURFACE,
         required(
             "G",
-            Takes::Any,
+            Takes::OneOf(&[Takes::Curve, Takes::Surface, Takes::Coordinates]),
             "a polynomial curve or patch of the domain, or two formulas in t or in u and v",
         ),
     ],
+    Gives::Any,
     compose,
 );
 

@@ -1,15 +1,16 @@
 //! How surfaces meet, and surfaces in other representations.
 
-use crate::language::eval::arguments::word_of;
+use super::gives::Gives;
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, spline_error};
 use std::sync::Arc;
 
 use super::on_surface::{direction, net_value, not_for, pieces, polar};
-use super::parameter::{Parameter, SURFACE, Takes, named, optional, required};
+use super::parameter::{Parameter, SURFACE, named, optional, required};
 use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{Direction, EdgeEquation, Point, TensorPatch, TrianglePatch};
 use crate::math::poly::Fraction;
@@ -23,12 +24,14 @@ const ACROSS: Parameter =
 
 pub(super) const JOINING_CONDITIONS: Option<Variant> = Variant::new(
     &[SURFACE, SECOND, optional("k", Takes::Size, "1", "the order"), ACROSS],
+    Gives::Any,
     joining_conditions,
 );
 
-pub(super) const CONTINUITY: Option<Variant> = Variant::new(&[SURFACE, SECOND, ACROSS], continuity);
+pub(super) const CONTINUITY: Option<Variant> =
+    Variant::new(&[SURFACE, SECOND, ACROSS], Gives::Table, continuity);
 
-pub(super) const HOMOGENEOUS: Option<Variant> = Variant::new(&[SURFACE], homogeneous);
+pub(super) const HOMOGENEOUS: Option<Variant> = Variant::new(&[SURFACE], Gives::Surface, homogeneous);
 
 pub(super) const CONVERT: Option<Variant> = Variant::new(
     &[
@@ -38,9 +41,15 @@ pub(super) const CONVERT: Option<Variant> = Variant::new(
             Takes::Word(&["triangle", "tensor", "degenerate", "polar", "pieces", "bspline", "power"]),
             "the representation",
         ),
-        optional("domain", Takes::Any, "the unit square or triangle", "the triangle, or the interval of u"),
+        optional(
+            "domain",
+            Takes::OneOf(&[Takes::Interval, Takes::Triangle]),
+            "the unit square or triangle",
+            "the triangle, or the interval of u",
+        ),
         optional("second", Takes::Interval, "[0, 1]", "the interval of v").shown("domain"),
     ],
+    Gives::Any,
     convert,
 );
 

@@ -1,14 +1,16 @@
 //! De Boor's scheme for surfaces, and their equations.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
 use super::on_surface::{net_value, not_for};
-use super::parameter::{SURFACE, Takes, required};
+use super::parameter::{SURFACE, required};
 use super::record::Variant;
 use super::{Builtin, solve};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{spline_error, wrong_kind};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Geometry, Table, Value};
 use crate::math::curve::{Point, surface_equation};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -20,15 +22,20 @@ pub(super) const DEBOOR: Option<Variant> = Variant::new(
         required("u", Takes::Scalar, "the first parameter"),
         required("v", Takes::Scalar, "the second parameter"),
     ],
+    Gives::Table,
     de_boor,
 );
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "implicit_surface",
-    parameters: &[
-        required("surface", Takes::Any, "a patch, or three coordinates as formulas in u and v").shown("s")
-    ],
+    parameters: &[required(
+        "surface",
+        Takes::OneOf(&[Takes::Surface, Takes::Coordinates]),
+        "a patch, or three coordinates as formulas in u and v",
+    )
+    .shown("s")],
     summary: "the polynomial in x, y and z that is 0 on a surface of low degree, also a rational one",
+    gives: Gives::Scalar,
     example: "implicit_surface([u, v, u v])",
     call: |_, args| equation(args),
     ..Builtin::about("Intersections")

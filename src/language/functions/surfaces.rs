@@ -1,13 +1,15 @@
 //! Surfaces: tensor-product and triangular patches, spline surfaces.
 
+use super::gives::Gives;
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, spline};
 use std::sync::Arc;
 
-use super::parameter::{HOMOGENEOUS, SURFACE, Takes, named, optional, required, size};
+use super::parameter::{HOMOGENEOUS, SURFACE, named, optional, required, size};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{
     BezierCurve, Corner, CurveError, Interval, Point, RationalPatch, Side, TensorPatch, TrianglePatch, Vector,
@@ -29,6 +31,7 @@ pub(super) const TABLE: &[Builtin] = &[
             HOMOGENEOUS,
         ],
         summary: "the tensor-product Bézier patch of a net, rows in u, over [a, b] x [c, d]",
+        gives: Gives::Surface,
         example: "patch([[0, 1], [2, 5]])(1/2, 1/2)",
         call: |_, args| {
             let (net, form) = args.net(0)?;
@@ -48,6 +51,7 @@ pub(super) const TABLE: &[Builtin] = &[
             HOMOGENEOUS,
         ],
         summary: "the triangular patch with points f(p^i q^j r^k): i, then j descending",
+        gives: Gives::Surface,
         example: "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002])",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
@@ -68,6 +72,7 @@ pub(super) const TABLE: &[Builtin] = &[
             HOMOGENEOUS,
         ],
         summary: "the B-spline surface of degrees m and n with these knots and net",
+        gives: Gives::Surface,
         example: "spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[0, 1], [2, 3], [0, 1]])(1/2, 1)",
         call: |_, args| {
             let knots = |degree: usize, list: usize| {
@@ -86,6 +91,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "boundary_curves",
         parameters: &[SURFACE],
         summary: "the boundary of a surface: u = a, u = b, v = c, v = d; or opposite the three corners",
+        gives: Gives::Curves,
         example: "boundary_curves(patch([[0, 1], [2, 5]]))",
         call: |_, args| {
             let curves = match &*args.geometry(0)? {
@@ -118,6 +124,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "normal",
         parameters: &[SURFACE],
         summary: "the cross product of the partial derivatives of a polynomial patch, as a patch",
+        gives: Gives::Surface,
         example: "normal(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]))(0, 0)",
         call: |_, args| match &*args.geometry(0)? {
             geometry if geometry.form().rational => {
@@ -145,6 +152,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("v", Takes::Scalar, "the second parameter"),
         ],
         summary: "the cross product of the partial derivatives of a surface at one point",
+        gives: Gives::Point,
         example: "normal_at(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
         call: |_, args| {
             let (u, v) = (args.scalar(1)?, args.scalar(2)?);
@@ -169,6 +177,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "tangent_planes",
         parameters: &[SURFACE],
         summary: "the tangent planes of a patch as a patch of vectors (n, e): n x + e = 0",
+        gives: Gives::Surface,
         example: "tangent_planes(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]))(1, 1)",
         call: |_, args| {
             let Geometry::Patch(patch, form) = &*args.geometry(0)? else {
@@ -194,6 +203,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("v", Takes::Scalar, "the second parameter"),
         ],
         summary: "the mixed second derivative of a patch at one point",
+        gives: Gives::Point,
         example: "twist(patch([[0, 1], [2, 5]]), 0, 0)",
         call: |_, args| {
             let (mut jet, form) = on_surface::partial_derivatives(args, 2)?;

@@ -1,5 +1,6 @@
 //! Symmetric functions of arguments, and the laws of polar forms.
 
+use super::gives::Gives;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
@@ -13,8 +14,9 @@ use crate::math::ring::Ring;
 use num_traits::{One, Zero};
 
 use super::Builtin;
-use super::parameter::{Takes, many, required, size};
+use super::parameter::{many, required, size};
 use super::polar::symbols;
+use crate::language::ops::takes::Takes;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -29,6 +31,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 .shown("[t_1, ..., t_n]"),
         ],
         summary: "the mean of an expression over all permutations of the given arguments",
+        gives: Gives::Scalar,
         example: "symmetrize(t1 t2 + t1, [t1, t2])",
         call: |_, args| {
             let expression = args.scalar(0)?;
@@ -53,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
             many("t_1, ..., t_n", Takes::ScalarOrList, 0, "the arguments"),
         ],
         summary: "the mean of all products of i of n arguments; also written sigma_{i,n}(...)",
+        gives: Gives::Scalar,
         example: "sigma(2, 3, t1, t2, t3)",
         call: |_, args| {
             let (i, n) = (args.size(0)?, args.size(1)?);
@@ -77,6 +81,7 @@ pub(super) const TABLE: &[Builtin] = &[
             many("t_1, ..., t_n", Takes::ScalarOrList, 0, "the arguments"),
         ],
         summary: "the elementary symmetric function e_i: the sum of all products of i arguments",
+        gives: Gives::Scalar,
         example: "esym(2, t1, t2, t3)",
         call: |_, args| {
             let i = args.size(0)?;
@@ -92,6 +97,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("F", Takes::Polynomial, "the polynomial"),
         ],
         summary: "whether an expression is the polar form of F, and if not, which law fails and why",
+        gives: Gives::List,
         example: "laws(t1^2, [t1, t2], t^2)",
         call: |_, args| {
             let expression = args.scalar(0)?;

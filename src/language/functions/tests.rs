@@ -8,8 +8,8 @@ fn lists(each: &mut dyn FnMut(&Builtin, &[Parameter])) {
         for function in std::iter::once(*builtin).chain(builtin.subjects) {
             each(function, function.parameters);
             each(function, function.common);
-            for (_, parameters) in function.other_forms() {
-                each(function, parameters);
+            for (_, variant) in function.other_forms() {
+                each(function, variant.parameters);
             }
         }
     }

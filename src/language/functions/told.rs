@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::parameter::{Parameter, Takes, named};
+use super::parameter::{Parameter, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Derivation, Language, Value};
 
 /// The language of the reasons.

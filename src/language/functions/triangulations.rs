@@ -1,11 +1,13 @@
 //! Piecewise polynomials on triangulations.
 
 use super::Builtin;
-use super::parameter::{Parameter, Takes, named, required, size};
+use super::gives::Gives;
+use super::parameter::{Parameter, named, required, size};
 use super::surfaces::triangular;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value};
 use crate::math::curve::{CornerData, Triangulation, clough_tocher, powell_sabin};
 use crate::math::number::Rational;
@@ -33,6 +35,7 @@ pub(super) const TABLE: &[Builtin] = &[
             size("r", "the order of continuity"),
         ],
         summary: "the dimension of the piecewise polynomials of degree d on a triangulation that are C^r",
+        gives: Gives::Count,
         example: "spline_dimension([[0, 0], [3, 0], [0, 3], [1, 1]], [[0, 1, 3], [1, 2, 3], [2, 0, 3]], 3, 1)",
         call: |_, args| {
             let triangulation = triangulation(args)?;
@@ -53,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "Clough and Tocher's element: three cubic patches that meet C^1 around the centroid",
+        gives: Gives::Surfaces,
         example: "clough_tocher([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
             let (triangle, data) = (args.triangle(0)?, data(args)?);
@@ -76,6 +80,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "powell_sabin",
         parameters: &[CORNERS, DATA],
         summary: "Powell and Sabin's element: six quadratic patches that meet C^1 around the centroid",
+        gives: Gives::Surfaces,
         example: "powell_sabin([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
             let patches = powell_sabin(&args.triangle(0)?, &data(args)?);

@@ -1,14 +1,13 @@
 //! Subdivision of meshes around a vertex or a face of any valence.
 
+use super::gives::Gives;
 use std::sync::Arc;
 
-use super::Builtin;
-use super::parameter::{Parameter, Takes, required, size};
-use super::subdivision::subdivision_error;
+use super::parameter::{Parameter, required, size};
+use super::{Builtin, notions};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Machine};
-use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::errors::subdivision_error;
 use crate::language::ops::geometry::scalar_list;
 use crate::language::value::{Cell, Table, Value};
 use crate::language::write::text;
@@ -19,11 +18,8 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 
 const NEW: Builtin = Builtin::about("Subdivision");
 
-/// The schemes for meshes.
-pub(super) const MESHES: &[&str] = &["catmull_clark", "doo_sabin", "loop", "warren"];
-
 const PARAMETERS: &[Parameter] = &[
-    required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
+    required("scheme", notions::MESH, "the scheme for meshes"),
     size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
 ];
 
@@ -32,6 +28,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "vertex_matrix",
         parameters: PARAMETERS,
         summary: "the matrix of a step: the vertex, its neighbours, opposite corners; c is cos(2 pi/n)",
+        gives: Gives::Matrix,
         example: "vertex_matrix(catmull_clark, 3)",
         call: |machine, args| {
             let (scheme, n) = scheme_and_valence(args)?;
@@ -45,6 +42,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "vertex_limit",
         parameters: PARAMETERS,
         summary: "the weights of the points around a vertex in its limit, in the order of vertex_matrix",
+        gives: Gives::List,
         example: "vertex_limit(catmull_clark, 5)",
         call: |machine, args| {
             let (scheme, n) = scheme_and_valence(args)?;
@@ -58,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "vertex_eigenvalues",
         parameters: PARAMETERS,
         summary: "the eigenvalues of vertex_matrix with multiplicities, the largest first, exactly",
+        gives: Gives::Table,
         example: "vertex_eigenvalues(loop, 5)",
         call: |_, args| {
             let (scheme, n) = scheme_and_valence(args)?;
@@ -75,17 +74,7 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 fn scheme_and_valence(args: &Arguments) -> Result<(VertexScheme, usize)> {
-    let scheme = match word_of(args.value(0)?) {
-        Some("catmull_clark") => VertexScheme::CatmullClark,
-        Some("doo_sabin") => VertexScheme::DooSabin,
-        Some("loop") => VertexScheme::Loop,
-        Some("warren") => VertexScheme::Warren,
-        _ => {
-            let error = wrong_kind("a scheme for meshes", args.value(0)?).at(args.span(0));
-            return Err(error.hint("catmull_clark, doo_sabin, loop or warren"));
-        }
-    };
-    Ok((scheme, args.size(1)?))
+    Ok((notions::mesh(args, 0)?, args.size(1)?))
 }
 
 fn in_cosine(weight: &Poly) -> Fraction {

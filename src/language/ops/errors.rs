@@ -7,6 +7,7 @@ use crate::math::curve::CurveError;
 use crate::math::linalg::LinalgError;
 use crate::math::piecewise::PiecewiseError;
 use crate::math::spline::SplineError;
+use crate::math::subdivision::SubdivisionError;
 
 /// "expected X, found Y".
 pub(crate) fn wrong_kind(expected: &str, found: &Value) -> Diagnostic {
@@ -145,4 +146,20 @@ pub(crate) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
         _ => "m pieces stand between m + 1 increasing breakpoints",
     };
     Diagnostic::error(code, error.to_string()).hint(hint)
+}
+
+/// The diagnostic for an error of subdivision.
+pub(crate) fn subdivision_error(error: SubdivisionError) -> Diagnostic {
+    use SubdivisionError as E;
+    let message = error.to_string();
+    let (code, hint) = match error {
+        E::EmptyMask => (Code::Shape, "such as [1, 3, 3, 1]/4"),
+        E::TooFewPoints { .. } => (Code::ControlPoints, "closed=1 takes any number of points"),
+        E::Dimensions { .. } => (Code::ControlPoints, "give every point the same number of coordinates"),
+        E::Symbols => (Code::Undecided, "give the symbols values first"),
+        E::NotShown { .. } => (Code::Undecided, "subdivision_smoothness(scheme) tells what is known"),
+        E::NotDetermined { .. } => (Code::Undecided, "eigenvalues(local_matrix(scheme)) shows why"),
+        E::Valence { .. } => (Code::Domain, "the regular valence is 4, for triangles 6"),
+    };
+    Diagnostic::error(code, message).hint(hint)
 }

@@ -8,3 +8,4 @@ pub(crate) mod function;
 pub(crate) mod geometry;
 pub(crate) mod lists;
 pub(crate) mod polar;
+pub(crate) mod takes;

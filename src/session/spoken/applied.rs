@@ -57,9 +57,13 @@ impl Draft {
                         Some([curve]),
                     ) => inside = curve.clone(),
                     // The zeros of a Bézier polynomial.
-                    (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() && !self.takes_curves() =>
-                    {
+                    (
+                        Some(
+                            Takes::Polynomial | Takes::Scalar | Takes::Formula | Takes::Any | Takes::OneOf(_),
+                        ),
+                        "bezier",
+                        _,
+                    ) if self.builtin.on_curve.is_none() && !self.takes_curves() => {
                         let span = inside.span;
                         inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
                     }

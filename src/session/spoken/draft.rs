@@ -86,9 +86,9 @@ impl Draft {
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
             let found =
-                words.filter_map(|word| parameter.kind.words().iter().find(|own| **own == word)).next();
-            if let Some(word) = found.filter(|word| **word != self.builtin.name) {
-                self.named.push((parameter.name, Expr { span: self.phrase, ..Expr::name(*word) }));
+                words.filter_map(|word| parameter.kind.words().into_iter().find(|own| *own == word)).next();
+            if let Some(word) = found.filter(|word| *word != self.builtin.name) {
+                self.named.push((parameter.name, Expr { span: self.phrase, ..Expr::name(word) }));
             }
         }
     }
@@ -138,8 +138,8 @@ impl Draft {
                     && items.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
                     || items.len() > 1 && is_points(items)
             }
-            Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
-            Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
+            Takes::OneOf(_) if first.name == "curve" => items.len() > 1 && is_points(items),
+            Takes::OneOf(_) if first.doc.starts_with("a Bézier curve") => items.len() > 1,
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
                 // two curves
@@ -179,7 +179,7 @@ impl Draft {
         }
         // the second coordinate was set apart as an equation
         if let [Expr { kind: Kind::Chain(..), .. }] = items.as_slice()
-            && matches!(first.kind, Takes::Curve | Takes::Any | Takes::Geometry)
+            && matches!(first.kind, Takes::Curve | Takes::Any | Takes::OneOf(_) | Takes::Geometry)
         {
             let coordinate = |read: &Read| match read.items.as_slice() {
                 [item] => eval::named(item).is_some_and(|(name, _)| name == "y" || name == "z"),
@@ -188,7 +188,9 @@ impl Draft {
             items.extend(said.extract_if(.., |read| coordinate(read)).flat_map(|read| read.items));
         }
         // the implicit equation of x = t^2, y = t^3
-        if matches!(first.kind, Takes::Curve | Takes::Any | Takes::Geometry) && items.len() > 1 {
+        if matches!(first.kind, Takes::Curve | Takes::Any | Takes::OneOf(_) | Takes::Geometry)
+            && items.len() > 1
+        {
             let coordinate = |(item, letter): (&Expr, &str)| {
                 eval::named(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula.clone())
             };
@@ -196,7 +198,7 @@ impl Draft {
             if let Some(coordinates) = coordinates.filter(|own| own.len() == items.len()) {
                 let span = coordinates[0].span;
                 items = vec![match first.kind {
-                    Takes::Any => list(coordinates),
+                    Takes::Any | Takes::OneOf(_) => list(coordinates),
                     _ => call("curve_of", vec![list(coordinates)], span),
                 }];
             }
@@ -296,7 +298,7 @@ impl Draft {
                 self.named.push((self.builtin.parameters[1].name, list(values)));
             }
             // the area of (0, 0), (1, 0), (0, 1)
-            Takes::Any | Takes::List if items.len() > 1 && self.is_of_one() => {
+            Takes::Any | Takes::OneOf(_) | Takes::List if items.len() > 1 && self.is_of_one() => {
                 self.placed = vec![list(items)]
             }
             // the roots of -1, 2, -2: a polynomial and an interval, or coefficients, of which basis?

@@ -145,7 +145,10 @@ impl Draft {
         let given = self.named.iter().any(|(name, _)| name.is_empty());
         let takes = self.builtin.parameters.get(1).is_some_and(|p| {
             (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
-                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
+                && matches!(
+                    p.kind,
+                    Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any | Takes::OneOf(_)
+                )
         });
         // Neville's scheme at 2
         let last = self

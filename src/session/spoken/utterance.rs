@@ -7,7 +7,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::names::bases;
 use crate::language::eval;
-use crate::language::functions::{Parameter, Takes, builtin};
+use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
 
 /// A request, read.
@@ -423,7 +423,7 @@ impl Utterance {
     /// The basis that a function works with: the mass matrix of the Bernstein polynomials.
     fn bases(&mut self) {
         let [outer, inner] = self.drafts.as_mut_slice() else { return };
-        let basis = |p: &&Parameter| matches!(p.kind, Takes::Basis | Takes::BasisOrKnots);
+        let basis = |p: &&Parameter| [BASIS, BASIS_OR_KNOTS].contains(&p.kind);
         if let (Some(parameter), Some(name)) =
             (outer.builtin.parameters.iter().find(basis), super::basis_of(inner.builtin.name))
         {

@@ -12,16 +12,18 @@ mod schemes;
 mod surfaces;
 
 use super::Builtin;
+use super::gives::Gives;
 use super::parameter::{
-    CURVE, DEGREE, Need, Parameter, SPAN, SPLINE, Takes, VARIABLE, many, named, optional, required,
+    CURVE, DEGREE, Need, Parameter, SPAN, SPLINE, VARIABLE, many, named, optional, required,
 };
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
 use crate::scene::Scene;
 
 use options::{COMMON, GRAPH_LABELS, LABELS, POLYGON, label_words};
 
-const NEW: Builtin = Builtin { common: COMMON, ..Builtin::about("Figures") };
+const NEW: Builtin = Builtin { common: COMMON, gives: Gives::Figure, ..Builtin::about("Figures") };
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
@@ -92,7 +94,11 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "figure_pyramid",
         parameters: &[
-            required("c", Takes::Any, "the curve or spline, or a list of nodes"),
+            required(
+                "c",
+                Takes::OneOf(&[Takes::Curve, Takes::Scalars]),
+                "the curve or spline, or a list of nodes",
+            ),
             many(
                 "u_1, ..., u_n",
                 Takes::ScalarOrList,
@@ -142,8 +148,12 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "figure_patch",
         parameters: &[
-            required("net", Takes::Net, "the points or heights, or a patch")
-                .shown("[[b_00, ..., b_0n], ..., [b_m0, ..., b_mn]]"),
+            required(
+                "net",
+                Takes::OneOf(&[Takes::Net, Takes::Surface, Takes::List]),
+                "the points or heights, or a patch",
+            )
+            .shown("[[b_00, ..., b_0n], ..., [b_m0, ..., b_mn]]"),
             label_words("labels=points", LABELS, "none"),
             POLYGON,
         ],
@@ -155,8 +165,12 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "figure_triangle",
         parameters: &[
-            required("points", Takes::Any, "the degree, the points or heights, or a patch")
-                .shown("n or [b_n00, ..., b_00n]"),
+            required(
+                "points",
+                Takes::OneOf(&[Takes::Size, Takes::Points, Takes::Net, Takes::Surface]),
+                "the degree, the points or heights, or a patch",
+            )
+            .shown("n or [b_n00, ..., b_00n]"),
             optional("corners", Takes::Scalars, "[r, s, t]", "the names of the corners").shown("[r, s, t]"),
             label_words("labels=points", LABELS, "polar for a degree or with corners, else none"),
             POLYGON,

@@ -1,13 +1,13 @@
 //! What all figures can be told, and how a picture becomes a value.
 
 use crate::language::eval::Arguments;
-use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::functions::parameter::{Parameter, Takes, alternatives, named};
+use crate::language::functions::parameter::{Parameter, named};
+use crate::language::ops::takes::{Takes, alternatives, word_of};
 use crate::language::value::Value;
 use crate::scene::{Scene, SceneError};
 
@@ -15,7 +15,7 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// What every figure can be told.
 pub(super) const COMMON: &[Parameter] = &[
-    named("width=560", Takes::Size, "560", "the width in pixels, 80 to 10000"),
+    named("width=560", Takes::Size, "560, more for two pictures", "the width in pixels, 80 to 10000"),
     named("title=\"...\"", Takes::Text, "what is drawn", "the title, read to those who do not see it"),
     named("caption=\"...\"", Takes::Text, "none", "the words below the picture"),
 ];

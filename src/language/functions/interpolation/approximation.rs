@@ -1,6 +1,7 @@
 //! Least squares, and parameters for points.
 
 use crate::language::eval::{Arguments, Machine};
+use crate::language::functions::gives::Gives;
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::geometry::scalar_list;
 use std::sync::Arc;
@@ -9,10 +10,9 @@ use super::NEW;
 use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numbers, polynomial, word};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::functions::Builtin;
-use crate::language::functions::matrices::read_basis;
-use crate::language::functions::parameter::{
-    NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, required,
-};
+use crate::language::functions::notions::{BASIS as BASES, read_basis};
+use crate::language::functions::parameter::{NODES, Parameter, RESULT_VARIABLE, VALUES, named, required};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value};
 use crate::math::basis::Basis;
 use crate::math::interpolate::{
@@ -33,7 +33,7 @@ const FIT_WEIGHTS: Parameter =
 const THROUGH: Parameter =
     named("through=[[x, y], ...]", Takes::Rows, "none", "points through which the polynomial goes exactly");
 
-const BASIS: Parameter = named("basis=power", Takes::Basis, "power", "the basis in which it is found");
+const BASIS: Parameter = named("basis=power", BASES, "power", "the basis in which it is found");
 
 const FIT: &[Parameter] = &[
     NODES.shown("[x_0, ..., x_m]"),
@@ -50,12 +50,12 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "least_squares",
         parameters: FIT,
         summary: "the polynomial of degree n with the least sum of w_i (y_i - p(x_i))^2",
+        gives: Gives::Function,
         example: "least_squares([0, 1, 2, 3], [0, 1, 1, 2], 1)",
         call: |_, args| {
             let (samples, fit) = fitted(args)?;
             Ok(polynomial(&fit.power, samples.form, &samples.variable(args)?))
         },
-        gives_function: true,
         ..NEW
     },
     Builtin {
@@ -66,6 +66,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             named("weights=[w_1, ..., w_m]", Takes::Scalars, "all 1", "the weights of the rows"),
         ],
         summary: "the x with the least |M x - b|^2, which solves M^T M x = M^T b",
+        gives: Gives::Any,
         example: "least_squares_solution([1, 0; 1, 1; 1, 2], [1, 2, 6])",
         call: |_, args| {
             let weights = args.named_scalars("weights")?;
@@ -87,6 +88,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "least_squares_report",
         parameters: FIT,
         summary: "its coefficients in a basis, residuals, their squared norm and the normal equations",
+        gives: Gives::Table,
         example: "least_squares_report([-1, 0, 1, 2], [1, 0, 0, 2], 2)",
         call: |_, args| {
             let (samples, fit) = fitted(args)?;
@@ -119,6 +121,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "parameters for points; methods are uniform, chord, centripetal and foley",
+        gives: Gives::Points,
         example: "parameters([[0, 0], [3, 4], [9, 12]], chord)",
         call: parameters_of,
         ..NEW

@@ -6,13 +6,16 @@ use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
-use crate::language::functions::matrices::{basis_error, read_basis};
+use crate::language::functions::gives::Gives;
+use crate::language::functions::matrices::basis_error;
+use crate::language::functions::notions::{BASIS_OR_KNOTS, read_basis};
 use crate::language::functions::parameter::{
-    CURVE, DEGREE, Parameter, RESULT_VARIABLE, Takes, named, optional, required,
+    CURVE, DEGREE, Parameter, RESULT_VARIABLE, named, optional, required,
 };
 use crate::language::functions::splines::piecewise;
 use crate::language::ops::errors::{curve_error, linalg_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{as_spline, bezier, polynomial_pieces};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::approximation::{
     ApproximationError, bernstein_gram, best_reduction, dual_bernstein, spline_energy, spline_gram,
@@ -26,8 +29,7 @@ use crate::math::spline::{BSpline, KnotVector};
 use nalgebra::DMatrix;
 use num_traits::One;
 
-const FUNCTIONS: Parameter =
-    required("basis", Takes::BasisOrKnots, "the functions; knots stand for B-splines");
+const FUNCTIONS: Parameter = required("basis", BASIS_OR_KNOTS, "the functions; knots stand for B-splines");
 
 const INTERVAL: Parameter =
     named("interval=[a, b]", Takes::Interval, "that of the basis, or [0, 1]", "over which is integrated");
@@ -47,6 +49,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             INTERVAL,
         ],
         summary: "the matrix of the integrals of F_i F_j, or of their derivatives, for a basis",
+        gives: Gives::Matrix,
         example: "gram(2, bernstein)",
         call: |_, args| {
             let order = args.named_size("derivative")?.unwrap_or(0);
@@ -58,6 +61,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "dual_basis",
         parameters: &[DEGREE, FUNCTIONS, INTERVAL, RESULT_VARIABLE],
         summary: "the functions D_i for which the integral of D_i F_j is 1 for i = j, else 0",
+        gives: Gives::Functions,
         example: "dual_basis(1, bernstein)",
         call: |_, args| {
             let functions = Functions::read(args)?;
@@ -75,6 +79,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             optional("b", Takes::Scalar, "1", "its end"),
         ],
         summary: "the Legendre polynomial of an interval: orthogonal to all of lower degree, 1 at b",
+        gives: Gives::Function,
         example: "legendre(2, t)",
         call: |_, args| {
             let (n, t) = (args.size(0)?, args.scalar(1)?);
@@ -90,6 +95,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "energy",
         parameters: &[CURVE, optional("k", Takes::Size, "2, the bending energy", "which derivative")],
         summary: "the integral of |c^(k)|^2 over the interval of a curve or the domain of a spline",
+        gives: Gives::Scalar,
         example: "energy(bezier([[0, 0], [1, 2], [2, 0]]), 1)",
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(2);
@@ -102,6 +108,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "squared_distance",
         parameters: &[CURVE, required("other", Takes::Curve, "another curve").shown("d")],
         summary: "the integral of |c - d|^2 over their common interval",
+        gives: Gives::Scalar,
         example: "squared_distance(bezier([0, 0, 1]), bezier([0, 1]))",
         call: |_, args| {
             let ((c, _), (d, _)) = (spline_of(args, 0)?, spline_of(args, 1)?);
@@ -126,6 +133,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             ),
         ],
         summary: "the curve of degree n - k with the least integral of |c - d|^2",
+        gives: Gives::Curve,
         example: "best_reduction(bezier([0, 0, 1]))",
         call: |_, args| {
             let (by, ends) = (args.optional_size(1)?.unwrap_or(1), args.named_size("ends")?.unwrap_or(0));

@@ -1,6 +1,7 @@
 //! Interpolating polynomials in the forms of Lagrange, Newton, Hermite, Neville and Aitken.
 
 use crate::language::eval::Arguments;
+use crate::language::functions::gives::Gives;
 use crate::language::ops::errors::{curve_error, linalg_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, scalar_list};
 use std::sync::Arc;
@@ -17,8 +18,9 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::functions::Builtin;
 use crate::language::functions::parameter::{
-    DEGREE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, VARIABLE, optional, required,
+    DEGREE, NODES, Parameter, RESULT_VARIABLE, VALUES, VARIABLE, optional, required,
 };
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
 use crate::math::curve::{BezierCurve, Interval};
 use crate::math::interpolate::{
@@ -51,8 +53,8 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "lagrange",
         parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the polynomial of degree at most n through n + 1 points, by Lagrange's formula",
+        gives: Gives::Function,
         example: "lagrange([0, 1, 2], [1, 3, 2])",
-        gives_function: true,
         call: |_, args| {
             let samples = Samples::read(args)?;
             let power = polynomial_through(&samples.nodes, &samples.values);
@@ -65,6 +67,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "lagrange_basis",
         parameters: &[NODES, RESULT_VARIABLE],
         summary: "Lagrange's polynomials L_0, ..., L_n: L_j is 1 at x_j and 0 at the other nodes",
+        gives: Gives::Functions,
         example: "lagrange_basis([0, 1, 2])",
         call: |_, args| {
             let nodes = args.scalars(0)?;
@@ -80,6 +83,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "barycentric_weights",
         parameters: &[NODES],
         summary: "w_j = 1/omega'(x_j) in L_j = w_j omega/(t - x_j), omega = (t - x_0) ... (t - x_n)",
+        gives: Gives::Scalars,
         example: "barycentric_weights([0, 1, 2, 3])",
         call: |_, args| {
             barycentric_weights(&args.scalars(0)?).map(scalar_list).map_err(Samples::failed(args))
@@ -90,6 +94,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "newton",
         parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the same polynomial as a function in Newton's form c_0 + c_1 (t - x_0) + ...",
+        gives: Gives::Function,
         example: "newton([0, 1, 3], [1, 3, 2])",
         call: |_, args| {
             let samples = Samples::read(args)?;
@@ -104,6 +109,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "divided_differences",
         parameters: &[NODES, VALUES],
         summary: "the triangle of divided differences; its diagonal has the coefficients of newton",
+        gives: Gives::Table,
         example: "divided_differences([0, 1, 3], [1, 3, 2])",
         call: |_, args| {
             let samples = Samples::read(args)?;
@@ -118,8 +124,8 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "hermite",
         parameters: &[DATA, RESULT_VARIABLE],
         summary: "the polynomial with given values and derivatives at the nodes",
+        gives: Gives::Function,
         example: "hermite([[0, 0, 0], [1, 1, 0]])",
-        gives_function: true,
         call: |_, args| {
             let (table, _, samples) = hermite_differences(args)?;
             Ok(polynomial(&table.newton_form().to_power(), samples.form, &samples.variable(args)?))
@@ -130,6 +136,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "hermite_basis",
         parameters: &[REPEATED, RESULT_VARIABLE],
         summary: "the polynomials dual to values and derivatives: at a double node f and f' are given",
+        gives: Gives::Functions,
         example: "hermite_basis([0, 0, 1, 1])",
         call: |_, args| {
             let basis = hermite_basis(&multiplicities(args)?).map_err(Samples::failed(args))?;
@@ -143,6 +150,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "hermite_bezier",
         parameters: &[DATA.shown("[[a, f, f', ...], [b, f, f', ...]]")],
         summary: "the Bézier curve over [a, b] with given values and derivatives at both ends",
+        gives: Gives::Curve,
         example: "control_points(hermite_bezier([[0, 1, 6], [1, 4, 3]]))",
         call: |_, args| {
             let (data, form) = hermite_data(args)?;
@@ -161,6 +169,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "hermite_table",
         parameters: &[DATA],
         summary: "divided differences with repeated nodes; f[x_0, ..., x_0] is a derivative over k!",
+        gives: Gives::Table,
         example: "hermite_table([[0, 0, 0], [1, 1, 0]])",
         call: |_, args| {
             let (table, places, samples) = hermite_differences(args)?;
@@ -172,6 +181,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "neville",
         parameters: PYRAMID,
         summary: "Neville's tableau at a parameter: p_{0,1,2} interpolates at x_0, x_1, x_2",
+        gives: Gives::Table,
         example: "neville([0, 1, 3], [1, 3, 2], 2)",
         call: |_, args| pyramid(args, Scheme::Neville),
         ..NEW
@@ -180,6 +190,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "aitken",
         parameters: PYRAMID,
         summary: "Aitken's tableau at a parameter, where each new node is joined to x_0, ..., x_k",
+        gives: Gives::Table,
         example: "aitken([0, 1, 3], [1, 3, 2], 2)",
         call: |_, args| pyramid(args, Scheme::Aitken),
         ..NEW
@@ -192,6 +203,7 @@ pub(crate) const TABLE: &[Builtin] = &[
                 .shown("degree=k"),
         ],
         summary: "the matrix of 1, x_i, x_i^2, ..., of degree n if not given",
+        gives: Gives::Matrix,
         example: "vandermonde([a, b, c])",
         call: |_, args| {
             let nodes = args.scalars(0)?;
@@ -207,6 +219,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "vandermonde_det",
         parameters: &[NODES],
         summary: "its determinant, the product of all x_j - x_i with i < j",
+        gives: Gives::Scalar,
         example: "vandermonde_det([1, 2, 4])",
         call: |_, args| Ok(Value::Scalar(vandermonde_determinant(&args.scalars(0)?))),
         ..NEW
@@ -215,6 +228,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "confluent_vandermonde",
         parameters: &[REPEATED],
         summary: "the matrix of Hermite interpolation: a node that stands k times has k - 1 derivatives",
+        gives: Gives::Matrix,
         example: "confluent_vandermonde([a, a, b])",
         call: |_, args| Ok(Value::Matrix(confluent_vandermonde(&multiplicities(args)?))),
         ..NEW
@@ -223,6 +237,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "interpolation_error",
         parameters: &[required("F", Takes::Polynomial, "the polynomial"), NODES, VARIABLE],
         summary: "F minus its interpolant p: the quotient f[x_0, ..., x_n, t] and the node polynomial",
+        gives: Gives::Table,
         example: "interpolation_error(t^4, [-1, 0, 1])",
         call: |_, args| {
             let given = args.univariate(0)?;
@@ -244,6 +259,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "condition_number",
         parameters: &[required("M", Takes::Matrix, "the matrix"), NORM],
         summary: "|M| |M^-1| exactly, for norm=infinity (sums of rows) or norm=one (of columns)",
+        gives: Gives::Scalar,
         example: "condition_number(vandermonde([0, 1, 2]))",
         call: |_, args| {
             let matrix = args.matrix(0)?;
@@ -258,6 +274,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "basis_condition",
         parameters: &[DEGREE, NORM],
         summary: "the condition number of the change from Bézier points to powers, of degree n",
+        gives: Gives::Scalar,
         example: "basis_condition(3)",
         call: |_, args| {
             let n = args.size(0)?;

@@ -8,14 +8,16 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
 use crate::language::functions::differential::coordinates;
+use crate::language::functions::gives::Gives;
 use crate::language::functions::parameter::{
-    DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, Takes, VALUES, named, required, size,
+    DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, VALUES, named, required, size,
 };
 use crate::language::functions::record::Variant;
 use crate::language::functions::splines::knots_at;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, scalar_list, spline};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, polynomial_expr};
 use crate::math::approximation::{
     ApproximationError, Smoothing, averaged_knots, de_boor_fix, fitted_spline, interpolating_spline,
@@ -43,6 +45,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             named("knots=[t_0, ..., t_k]", Takes::Scalars, "averaged_knots(n, nodes)", "the knots"),
         ],
         summary: "the spline of degree n with given values at the nodes, if Schoenberg and Whitney allow",
+        gives: Gives::Spline,
         example: "interpolating_spline(2, [0, 1, 2, 3], [0, 1, 0, 2])",
         call: |_, args| {
             let (n, nodes) = (args.size(0)?, args.scalars(1)?);
@@ -79,6 +82,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             named("derivative=r", Takes::Size, "2", "which derivative is made small"),
         ],
         summary: "the spline with the least sum of w_i |y_i - S(x_i)|^2, smoothed by lambda |S^(r)|^2",
+        gives: Gives::Spline,
         example: "least_squares_spline(1, [0, 0, 3, 3], [0, 1, 2, 3], [0, 1, 1, 2])",
         call: |_, args| {
             let knots = knots_at(args, 0, 1)?;
@@ -116,6 +120,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "averaged_knots",
         parameters: &[DEGREE, NODES],
         summary: "clamped knots for interpolation at the nodes: means of n consecutive ones",
+        gives: Gives::Scalars,
         example: "averaged_knots(3, [0, 1, 2, 4, 5])",
         call: |_, args| {
             let knots = averaged_knots(args.size(0)?, &args.scalars(1)?)
@@ -129,6 +134,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "bernstein_approximation",
         parameters: &[FUNCTION, DEGREE, START, END],
         summary: "Bernstein's operator: the sum of F(a + i (b - a)/n) B_i^n over [a, b], or [0, 1]",
+        gives: Gives::Function,
         example: "bernstein_approximation(t^2, 3)",
         call: |_, args| {
             let (functions, form) = functions(args)?;
@@ -161,6 +167,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "schoenberg",
         parameters: &[FUNCTION, DEGREE, KNOTS],
         summary: "Schoenberg's spline: control points F(xi_i) at the Greville abscissae",
+        gives: Gives::Spline,
         example: "schoenberg(t^2, 2, [0, 0, 0, 2, 4, 4, 4])",
         call: |_, args| {
             let (functions, form) = functions(args)?;
@@ -177,8 +184,13 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "deboor_fix",
         parameters: &[FUNCTION, DEGREE, KNOTS, size("i", "the number of the control point"), TAU],
         summary: "the functional of de Boor and Fix: control point d_i from derivatives at tau",
+        gives: Gives::Point,
         example: "deboor_fix(t^2, 2, [0, 1, 2, 3, 4, 5], 0, 0)",
-        on_curve: Variant::new(&[SPLINE, size("i", "the number of the control point"), TAU], of_spline),
+        on_curve: Variant::new(
+            &[SPLINE, size("i", "the number of the control point"), TAU],
+            Gives::Point,
+            of_spline,
+        ),
         call: |_, args| {
             let (functions, form) = functions(args)?;
             let knots = knots_at(args, 1, 2)?;

@@ -1,6 +1,7 @@
 //! Interpolating cubic splines and their systems of equations.
 
 use crate::language::eval::Arguments;
+use crate::language::functions::gives::Gives;
 use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
@@ -11,9 +12,10 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::functions::Builtin;
 use crate::language::functions::parameter::{
-    CURVE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
+    CURVE, NODES, Parameter, RESULT_VARIABLE, VALUES, named, optional,
 };
 use crate::language::functions::record::Variant;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::interpolate::{CubicSpline, End, Ends, Unknowns};
 use crate::math::poly::Fraction;
@@ -53,6 +55,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD, RESULT_VARIABLE],
         common: &ONE_END,
         summary: "the cubic spline; ends are natural, clamped (with slopes), periodic or not_a_knot",
+        gives: Gives::Piecewise,
         example: "cubic_spline([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
             let given = Given::read(args)?;
@@ -70,6 +73,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         common: &ONE_END,
         summary: "the tridiagonal system of a cubic spline for its moments M_i or slopes m_i, solved",
+        gives: Gives::Table,
         example: "spline_system([0, 1, 3, 4], [0, 1, -1, 2])",
         call: |_, args| {
             let given = Given::read(args)?;
@@ -82,6 +86,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         common: &ONE_END,
         summary: "the second derivatives M_0, ..., M_n of a cubic spline at its nodes",
+        gives: Gives::Points,
         example: "spline_moments([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
             let given = Given::read(args)?;
@@ -94,6 +99,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         common: &ONE_END,
         summary: "the first derivatives m_0, ..., m_n of a cubic spline at its nodes",
+        gives: Gives::Points,
         example: "spline_slopes([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
             let given = Given::read(args)?;
@@ -105,8 +111,9 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "bending_energy",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         common: &ONE_END,
-        on_curve: Variant::new(&[CURVE], super::energy::bending),
+        on_curve: Variant::new(&[CURVE], Gives::Scalar, super::energy::bending),
         summary: "the integral of |S''|^2, which no interpolant makes smaller than the natural spline",
+        gives: Gives::Scalar,
         example: "bending_energy([0, 1, 2], [0, 1, 0])",
         call: |_, args| Ok(Value::Scalar(Given::read(args)?.spline(args)?.bending_energy())),
         ..NEW

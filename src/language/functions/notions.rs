@@ -1,0 +1,210 @@
+//! Bases and subdivision schemes by their words: each is written down once, with how it is read.
+
+use crate::formula::source::Span;
+use crate::language::diagnostic::{At, Diagnostic};
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::subdivision_error;
+use crate::language::ops::takes::{Notion, Takes, word_of};
+use crate::language::value::Value;
+use crate::math::basis::Basis;
+use crate::math::number::rational;
+use crate::math::poly::Fraction;
+use crate::math::subdivision::{Scheme, VertexScheme};
+use num_traits::{One, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// A way to write something with a name, and what it is for the numbers behind the name.
+struct Way<T> {
+    word: &'static str,
+    form: &'static str,
+    read: fn(&[Fraction]) -> Option<T>,
+}
+
+const fn words<T, const N: usize>(ways: &[Way<T>; N]) -> [&'static str; N] {
+    let (mut words, mut i) = ([""; N], 0);
+    while i < N {
+        words[i] = ways[i].word;
+        i += 1;
+    }
+    words
+}
+
+const fn forms<T, const N: usize>(ways: &[Way<T>; N]) -> [&'static str; N] {
+    let (mut forms, mut i) = ([""; N], 0);
+    while i < N {
+        forms[i] = ways[i].form;
+        i += 1;
+    }
+    forms
+}
+
+const BASES: [Way<Basis<Fraction>>; 9] = [
+    Way { word: "power", form: "power", read: |n| n.is_empty().then_some(Basis::Power) },
+    Way { word: "bernstein", form: "bernstein", read: |n| alone(n).map(|(a, b)| Basis::Bernstein { a, b }) },
+    Way {
+        word: "bernstein",
+        form: "[bernstein, a, b]",
+        read: |n| ends(n).map(|(a, b)| Basis::Bernstein { a, b }),
+    },
+    Way { word: "taylor", form: "[taylor, a]", read: |n| one(n).map(|at| Basis::Taylor { at }) },
+    Way { word: "lagrange", form: "[lagrange, t_0, t_1, ...]", read: |n| Some(Basis::Lagrange(n.to_vec())) },
+    Way { word: "newton", form: "[newton, t_0, t_1, ...]", read: |n| Some(Basis::Newton(n.to_vec())) },
+    Way {
+        word: "hermite",
+        form: "hermite",
+        read: |n| alone(n).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
+    },
+    Way {
+        word: "hermite",
+        form: "[hermite, a, b]",
+        read: |n| ends(n).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
+    },
+    Way {
+        word: "legendre",
+        form: "[legendre, a, b]",
+        read: |n| ends(n).map(|(a, b)| Basis::Legendre { a, b }),
+    },
+];
+
+const SCHEMES: [Way<Scheme<Fraction>>; 8] = [
+    Way { word: "chaikin", form: "chaikin", read: |n| n.is_empty().then(|| Scheme::lane_riesenfeld(2)) },
+    Way { word: "cubic", form: "cubic", read: |n| n.is_empty().then(|| Scheme::lane_riesenfeld(3)) },
+    Way {
+        word: "four_point",
+        form: "four_point",
+        read: |n| n.is_empty().then(|| Scheme::four_point(&number(1, 16))),
+    },
+    Way {
+        word: "de_rham",
+        form: "de_rham",
+        read: |n| n.is_empty().then(|| Scheme::corner_cutting(&number(1, 3), &number(1, 3))),
+    },
+    Way {
+        word: "lane_riesenfeld",
+        form: "[lane_riesenfeld, n]",
+        read: |n| {
+            let degree = Value::Scalar(one(n)?).as_int()?;
+            usize::try_from(degree).ok().map(Scheme::lane_riesenfeld)
+        },
+    },
+    Way { word: "four_point", form: "[four_point, w]", read: |n| one(n).map(|w| Scheme::four_point(&w)) },
+    Way {
+        word: "corner_cutting",
+        form: "[corner_cutting, lambda]",
+        read: |n| one(n).map(|both| Scheme::corner_cutting(&both, &both)),
+    },
+    Way {
+        word: "corner_cutting",
+        form: "[corner_cutting, lambda, mu]",
+        read: |n| ends(n).map(|(lambda, mu)| Scheme::corner_cutting(&lambda, &mu)),
+    },
+];
+
+/// Subdivision of meshes around a vertex.
+const MESHES: [(&str, VertexScheme); 4] = [
+    ("catmull_clark", VertexScheme::CatmullClark),
+    ("doo_sabin", VertexScheme::DooSabin),
+    ("loop", VertexScheme::Loop),
+    ("warren", VertexScheme::Warren),
+];
+
+const BASIS_NOTION: Notion =
+    Notion { what: "a basis", words: &words(&BASES), forms: &forms(&BASES), unnamed: None };
+
+const SCHEME_NOTION: Notion = Notion {
+    what: "a subdivision scheme",
+    words: &words(&SCHEMES),
+    forms: &forms(&SCHEMES),
+    unnamed: Some("a mask such as [1, 3, 3, 1]/4"),
+};
+
+/// A basis of polynomials.
+pub(crate) const BASIS: Takes = Takes::Named(&BASIS_NOTION);
+
+/// A basis of polynomials, or the knots of B-splines.
+pub(crate) const BASIS_OR_KNOTS: Takes = Takes::Named(&Notion { unnamed: Some("knots"), ..BASIS_NOTION });
+
+/// A subdivision scheme, or its mask.
+pub(crate) const SCHEME: Takes = Takes::Named(&SCHEME_NOTION);
+
+/// A scheme for meshes.
+pub(super) const MESH: Takes = Takes::Word(&{
+    let (mut words, mut i) = ([""; MESHES.len()], 0);
+    while i < words.len() {
+        words[i] = MESHES[i].0;
+        i += 1;
+    }
+    words
+});
+
+/// The scheme for meshes at a place.
+pub(super) fn mesh(args: &Arguments, i: usize) -> Result<VertexScheme> {
+    let value = args.value(i)?;
+    let known = word_of(value).and_then(|word| MESHES.iter().find(|(own, _)| *own == word));
+    known.map(|(_, scheme)| *scheme).ok_or_else(|| MESH.refuses(value)).at(args.span(i))
+}
+
+fn number(p: i64, q: i64) -> Fraction {
+    Fraction::from(rational(p, q))
+}
+
+fn one(numbers: &[Fraction]) -> Option<Fraction> {
+    if let [one] = numbers { Some(one.clone()) } else { None }
+}
+
+fn ends(numbers: &[Fraction]) -> Option<(Fraction, Fraction)> {
+    if let [a, b] = numbers { Some((a.clone(), b.clone())) } else { None }
+}
+
+fn alone(numbers: &[Fraction]) -> Option<(Fraction, Fraction)> {
+    numbers.is_empty().then(|| (Fraction::zero(), Fraction::one()))
+}
+
+/// Whether a word that stands alone names a basis or a scheme. Before a bracket it is the function of that name;
+/// `bernstein` is so by itself.
+pub(crate) fn is_word(word: &str) -> bool {
+    word != "bernstein" && [BASIS, SCHEME, MESH].iter().any(|kind| kind.has_word(word))
+}
+
+/// The word of a value and the numbers behind it.
+fn word_and_numbers(value: &Value) -> Option<(&str, Vec<Fraction>)> {
+    let (name, rest) = match value {
+        Value::List(items) => items.split_first()?,
+        single => (single, &[] as &[Value]),
+    };
+    let numbers: Option<Vec<Fraction>> = rest.iter().map(|item| item.as_scalar().cloned()).collect();
+    Some((word_of(name)?, numbers?))
+}
+
+fn read<T>(ways: &[Way<T>], kind: Takes, value: &Value, span: Span) -> Result<T> {
+    word_and_numbers(value)
+        .and_then(|(word, numbers)| {
+            ways.iter().filter(|way| way.word == word).find_map(|way| (way.read)(&numbers))
+        })
+        .ok_or_else(|| kind.refuses(value))
+        .at(span)
+}
+
+/// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
+pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
+    read(&BASES, BASIS, value, span)
+}
+
+/// The basis at a place.
+pub(super) fn basis(args: &Arguments, i: usize) -> Result<Basis<Fraction>> {
+    read_basis(args.value(i)?, args.span(i))
+}
+
+/// The scheme at a place: a word, a list such as [four_point, w], or a mask.
+pub(super) fn scheme(args: &Arguments, i: usize) -> Result<Scheme<Fraction>> {
+    let (value, span) = (args.value(i)?, args.span(i));
+    if let Value::List(items) = value
+        && let Some(mask) = items.iter().map(|item| item.as_scalar().cloned()).collect::<Option<Vec<_>>>()
+    {
+        // As many coefficients before the middle as the masks with names have.
+        let first = -((mask.len().max(1) as i64 - 1) / 2);
+        return Scheme::new(mask, first).map_err(subdivision_error).at(span);
+    }
+    read(&SCHEMES, SCHEME, value, span)
+}
