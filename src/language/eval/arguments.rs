@@ -248,6 +248,12 @@ impl Arguments {
         self.named(name).map(|(value, span)| size_of(value, span)).transpose()
     }
 
+    /// A size under a name that the table gives a value otherwise.
+    pub fn size_named(&self, name: &str) -> Result<usize> {
+        self.named_size(name)?
+            .ok_or_else(|| Diagnostic::error(Code::Arity, format!("the argument '{name}' is missing")))
+    }
+
     /// A symbol.
     pub fn symbol(&self, i: usize) -> Result<Symbol> {
         let value = self.value(i)?;
@@ -259,9 +265,14 @@ impl Arguments {
         self.given(i).map(|_| self.symbol(i)).transpose()
     }
 
-    /// The value of `name=1` or `name=0`.
-    pub fn flag(&self, name: &str, default: bool) -> Result<bool> {
-        let Some((value, span)) = self.named(name) else { return Ok(default) };
+    /// Whether `name=1` is given, or holds if nothing is.
+    pub fn flag(&self, name: &str) -> Result<bool> {
+        self.flag_or(name, false)
+    }
+
+    /// The same where what holds otherwise depends on more than the table can say.
+    pub fn flag_or(&self, name: &str, otherwise: bool) -> Result<bool> {
+        let Some((value, span)) = self.named(name) else { return Ok(otherwise) };
         match value.as_int() {
             Some(0) => Ok(false),
             Some(1) => Ok(true),
@@ -273,6 +284,11 @@ impl Arguments {
     pub fn variable(&self) -> Result<Option<Symbol>> {
         let symbol = |(value, span)| symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span));
         self.named("variable").map(symbol).transpose()
+    }
+
+    /// The symbol given as `variable=…`, or the one that the table has.
+    pub fn letter(&self) -> Result<Symbol> {
+        self.variable()?.ok_or_else(|| Diagnostic::error(Code::Arity, "the argument 'variable' is missing"))
     }
 
     /// A list of scalars.

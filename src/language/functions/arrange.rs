@@ -164,7 +164,7 @@ pub(super) const TABLE: &[Builtin] = &[
             curve_in_powers,
         ),
         call: |_, args| {
-            let at = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
+            let at = args.scalar(1)?;
             arranged(args, |args| args.univariate(0), &at)
         },
         ..NEW
@@ -268,7 +268,7 @@ fn curve_in_powers(args: &Arguments) -> Result<Value> {
     let Value::Geometry(curve) = args.value(0)? else { return Err(wrong_kind("a curve", args.value(0)?)) };
     let t = Value::symbol(curve.parameter());
     let formula = call_geometry(curve, &[(t, args.span(0))], args.span(0))?;
-    let at = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
+    let at = args.scalar(1)?;
     arranged(&args.with_first(formula), |args| args.univariate_in(0, Some(curve.parameter())), &at)
 }
 

@@ -1,15 +1,16 @@
 //! Bézier curves.
 
 use super::gives::Gives;
-use crate::language::eval::Arguments;
+use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list, spline};
 use std::sync::Arc;
 
 use super::parameter::{
-    CURVE, DEGREE, END, HOMOGENEOUS, Parameter, START, VARIABLE, many, named, optional, required, size,
+    CURVE, DEGREE, END, HOMOGENEOUS, Parameter, START, SURFACE, VARIABLE, many, named, optional, required,
+    size,
 };
-use super::{Builtin, on_surface};
+use super::{Builtin, Variant, on_surface};
 use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -27,6 +28,8 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 const NEW: Builtin = Builtin::about("Bézier curves");
 
 const POINTS: Parameter = required("points", Takes::Points, "the control points");
+
+const ORDER_OF_DIFFERENCES: Parameter = optional("k", Takes::Size, "1", "the order");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
@@ -304,24 +307,14 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "differences",
         parameters: &[
-            required("points", Takes::OneOf(&[Takes::Points, Takes::Geometry]), "the points, or a curve")
-                .shown("[b_0, ..., b_n]"),
-            optional("k", Takes::Size, "1", "the order"),
+            required("points", Takes::Points, "the points").shown("[b_0, ..., b_n]"),
+            ORDER_OF_DIFFERENCES,
         ],
         summary: "the forward differences of order k (1 if not given)",
         gives: Gives::Points,
         example: "differences([b_0, b_1, b_2], 2)",
-        call: |_, args| {
-            let order = args.optional_size(1)?.unwrap_or(1);
-            let (points, form) = match args.value(0)? {
-                Value::Geometry(geometry) => (geometry.control_points(), geometry.form()),
-                _ => args.control_points(0)?,
-            };
-            let curve = BezierCurve::new(points, Interval::unit());
-            let curve = curve.map_err(curve_error).at(args.span(0))?;
-            let list = curve.differences(order.min(curve.degree() + 1));
-            Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
-        },
+        on_curve: Variant::new(&[CURVE, ORDER_OF_DIFFERENCES], Gives::Points, differences),
+        call: |_, args| differences(args),
         ..NEW
     },
     Builtin {
@@ -390,49 +383,13 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "convex_hull",
-        parameters: &[required(
-            "points",
-            Takes::OneOf(&[Takes::Points, Takes::Geometry]),
-            "the points, or a curve",
-        )
-        .shown("[p_0, ..., p_n]")],
+        parameters: &[required("points", Takes::Points, "the points").shown("[p_0, ..., p_n]")],
         summary: "the corners of the convex hull of points of the plane, counterclockwise",
         gives: Gives::Points,
         example: "convex_hull([[0, 0], [1, 1], [2, 0], [1, 3]])",
-        call: |_, args| {
-            let points = match args.value(0)? {
-                Value::Geometry(geometry) if !geometry.form().rational => geometry.control_points(),
-                Value::Geometry(geometry) => {
-                    let split = geometry.form().split(&geometry.control_points());
-                    let positive =
-                        |w: &Fraction| w.as_rational().is_some_and(|q| num_traits::Signed::is_positive(&q));
-                    let (values, weights) = split.ok_or_else(|| {
-                        curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))
-                    })?;
-                    if !weights.iter().all(positive) {
-                        return Err(Diagnostic::error(
-                            Code::Domain,
-                            "the curve lies in the hull only if all weights are positive",
-                        )
-                        .at(args.span(0)));
-                    }
-                    values.iter().filter_map(|value| point_of(value).map(|(point, _)| point)).collect()
-                }
-                value => {
-                    points_of(value).ok_or_else(|| wrong_kind("a list of points", value).at(args.span(0)))?.0
-                }
-            };
-            let numbers: Option<Vec<Point<Rational>>> =
-                points.iter().map(|point| point.iter().map(Fraction::as_rational).collect()).collect();
-            let numbers = numbers.ok_or_else(|| {
-                Diagnostic::error(Code::Undecided, "the hull of points with symbols depends on their values")
-                    .at(args.span(0))
-                    .hint("give the symbols values first")
-            })?;
-            let hull = curve::convex_hull(&numbers).map_err(curve_error).at(args.span(0))?;
-            let corner = |point: Point<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
-            Ok(Value::List(hull.into_iter().map(corner).collect()))
-        },
+        on_curve: Variant::new(&[CURVE], Gives::Points, hull),
+        on_surface: Variant::new(&[SURFACE], Gives::Points, hull),
+        call: |_, args| hull(args),
         ..NEW
     },
     Builtin {
@@ -570,6 +527,53 @@ pub(super) fn interval(args: &Arguments, from: usize) -> Result<Interval<Fractio
     }
     let (a, b) = (a.unwrap_or_else(Fraction::zero), b.unwrap_or_else(Fraction::one));
     Interval::new(a, b).map_err(curve_error).at(args.span(0))
+}
+
+/// The differences of points or of the control points of a curve.
+fn differences(args: &Arguments) -> Evaluated {
+    let order = args.size(1)?;
+    let (points, form) = match args.value(0)? {
+        Value::Geometry(geometry) => (geometry.control_points(), geometry.form()),
+        _ => args.control_points(0)?,
+    };
+    let curve = BezierCurve::new(points, Interval::unit());
+    let curve = curve.map_err(curve_error).at(args.span(0))?;
+    let list = curve.differences(order.min(curve.degree() + 1));
+    Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
+}
+
+/// The hull of points or of the control points of a curve or surface.
+fn hull(args: &Arguments) -> Evaluated {
+    let points = match args.value(0)? {
+        Value::Geometry(geometry) if !geometry.form().rational => geometry.control_points(),
+        Value::Geometry(geometry) => {
+            let split = geometry.form().split(&geometry.control_points());
+            let positive =
+                |w: &Fraction| w.as_rational().is_some_and(|q| num_traits::Signed::is_positive(&q));
+            let (values, weights) = split.ok_or_else(|| {
+                curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))
+            })?;
+            if !weights.iter().all(positive) {
+                return Err(Diagnostic::error(
+                    Code::Domain,
+                    "the curve lies in the hull only if all weights are positive",
+                )
+                .at(args.span(0)));
+            }
+            values.iter().filter_map(|value| point_of(value).map(|(point, _)| point)).collect()
+        }
+        value => points_of(value).ok_or_else(|| wrong_kind("a list of points", value).at(args.span(0)))?.0,
+    };
+    let numbers: Option<Vec<Point<Rational>>> =
+        points.iter().map(|point| point.iter().map(Fraction::as_rational).collect()).collect();
+    let numbers = numbers.ok_or_else(|| {
+        Diagnostic::error(Code::Undecided, "the hull of points with symbols depends on their values")
+            .at(args.span(0))
+            .hint("give the symbols values first")
+    })?;
+    let hull = curve::convex_hull(&numbers).map_err(curve_error).at(args.span(0))?;
+    let corner = |point: Point<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
+    Ok(Value::List(hull.into_iter().map(corner).collect()))
 }
 
 /// One parameter n times, or all arguments as they are.

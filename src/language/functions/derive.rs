@@ -100,7 +100,7 @@ const SUBJECTS: &[Builtin] = &[
         example: "derive(derivative, t^3, 1)",
         call: |machine, args| {
             let (polar, variable) = univariate(machine, &args.only(1))?;
-            told(args, derive::derivative(&polar, &variable, args.optional_size(1)?.unwrap_or(1)))
+            told(args, derive::derivative(&polar, &variable, args.size(1)?))
         },
         ..NEW
     },
@@ -367,7 +367,7 @@ fn combination(machine: &mut Machine, args: &Arguments, kind: Combination) -> Re
 }
 
 fn elevate(machine: &mut Machine, args: &Arguments) -> Result<Derivation> {
-    let k = args.optional_size(1)?.unwrap_or(1);
+    let k = args.size(1)?;
     if let Value::Geometry(geometry) = args.value(0)?
         && let Geometry::Bezier(curve, form) = &**geometry
     {
@@ -412,7 +412,7 @@ fn insert(args: &Arguments) -> Result<Derivation> {
 fn join(args: &Arguments) -> Result<Derivation> {
     let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
     let form = super::joins::polynomial_pair(args, left, right)?;
-    let k = args.optional_size(2)?.unwrap_or(1);
+    let k = args.size(2)?;
     derive::joining(&f, &g, form, k).map_err(curve_error).at(args.span(1))
 }
 

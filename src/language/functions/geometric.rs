@@ -55,7 +55,7 @@ fn betas(k: usize) -> Vec<Fraction> {
 fn geometric_continuity(machine: &mut Machine, args: &Arguments) -> Evaluated {
     let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
     let form = polynomial_pair(args, left, right)?;
-    let k = args.optional_size(2)?.unwrap_or(2);
+    let k = args.size(2)?;
     crate::budget::charge_terms((k as u64).saturating_mul(k as u64));
     let (Some(numbers), Some(others), None) = (numeric(&f), numeric(&g), args.named("unknowns")) else {
         return conditions(machine, args, (&f, &g), form, k);

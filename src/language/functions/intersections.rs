@@ -295,7 +295,7 @@ fn table(
     }
     let t = Symbol::new("t");
     let highest = rows.iter().map(|(_, degree)| *degree).max().unwrap_or(1);
-    let with_points = args.flag("points", highest <= DEGREE_WITH_POINTS)?;
+    let with_points = args.flag_or("points", highest <= DEGREE_WITH_POINTS)?;
     if !with_points && args.named("points").is_none() {
         let message =
             format!("the points are left out: a parameter is a root of a polynomial of degree {highest}");

@@ -51,7 +51,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: surface_joins::JOINING_CONDITIONS,
         call: |machine, args| {
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
-            let k = args.optional_size(2)?.unwrap_or(1);
+            let k = args.size(2)?;
             let form = polynomial_pair(args, left, right)?;
             let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
             if let Some((unknowns, span)) = args.named("unknowns") {
@@ -95,7 +95,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     .at(args.span(0))
                     .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"));
             }
-            let k = args.optional_size(1)?.unwrap_or(1);
+            let k = args.size(1)?;
             if k > curve.degree() {
                 let message =
                     format!("a curve of degree {} has {} control points", curve.degree(), curve.degree() + 1);

@@ -1,10 +1,10 @@
 //! Bases and subdivision schemes by their words: each is written down once, with how it is read.
 
 use crate::formula::source::Span;
-use crate::language::diagnostic::{At, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
-use crate::language::ops::errors::subdivision_error;
-use crate::language::ops::takes::{Notion, Takes, word_of};
+use crate::language::ops::errors::{subdivision_error, wrong_kind};
+use crate::language::ops::takes::{Notion, Takes, alternatives, word_of};
 use crate::language::value::Value;
 use crate::math::basis::Basis;
 use crate::math::number::rational;
@@ -37,6 +37,29 @@ const fn forms<T, const N: usize>(ways: &[Way<T>; N]) -> [&'static str; N] {
         i += 1;
     }
     forms
+}
+
+/// The words of choices.
+pub(crate) const fn words_of<T, const N: usize>(choices: &[(&'static str, T); N]) -> [&'static str; N] {
+    let (mut words, mut i) = ([""; N], 0);
+    while i < N {
+        words[i] = choices[i].0;
+        i += 1;
+    }
+    words
+}
+
+/// What the word stands for that was chosen.
+pub(crate) fn chosen<T: Copy>(given: Option<(&Value, Span)>, choices: &[(&str, T)]) -> Result<T> {
+    let known = |word: &str| choices.iter().find(|(own, _)| *own == word).map(|(_, meant)| *meant);
+    given.and_then(|(value, _)| word_of(value)).and_then(known).ok_or_else(|| {
+        let words: Vec<&str> = choices.iter().map(|(word, _)| *word).collect();
+        let words = alternatives(&words);
+        match given {
+            Some((value, span)) => wrong_kind(&words, value).at(span),
+            None => Diagnostic::error(Code::Arity, format!("one of {words} is missing")),
+        }
+    })
 }
 
 const BASES: [Way<Basis<Fraction>>; 9] = [
@@ -129,20 +152,11 @@ pub(crate) const BASIS_OR_KNOTS: Takes = Takes::Named(&Notion { unnamed: Some("k
 pub(crate) const SCHEME: Takes = Takes::Named(&SCHEME_NOTION);
 
 /// A scheme for meshes.
-pub(super) const MESH: Takes = Takes::Word(&{
-    let (mut words, mut i) = ([""; MESHES.len()], 0);
-    while i < words.len() {
-        words[i] = MESHES[i].0;
-        i += 1;
-    }
-    words
-});
+pub(super) const MESH: Takes = Takes::Word(&words_of(&MESHES));
 
 /// The scheme for meshes at a place.
 pub(super) fn mesh(args: &Arguments, i: usize) -> Result<VertexScheme> {
-    let value = args.value(i)?;
-    let known = word_of(value).and_then(|word| MESHES.iter().find(|(own, _)| *own == word));
-    known.map(|(_, scheme)| *scheme).ok_or_else(|| MESH.refuses(value)).at(args.span(i))
+    chosen(args.given(i), &MESHES)
 }
 
 fn number(p: i64, q: i64) -> Fraction {

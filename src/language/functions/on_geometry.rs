@@ -151,7 +151,7 @@ pub(crate) fn polar(args: &Arguments) -> Evaluated {
 }
 
 fn elevate(args: &Arguments) -> Evaluated {
-    let by = args.optional_size(1)?.unwrap_or(1);
+    let by = args.size(1)?;
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) => Ok(bezier(curve.elevate(by), *form)),
         Geometry::Spline(s, form) => s.elevate(by).map(|s| spline(s, *form)).map_err(spline_error),
@@ -160,7 +160,7 @@ fn elevate(args: &Arguments) -> Evaluated {
 }
 
 fn reduce(args: &Arguments) -> Evaluated {
-    let by = args.optional_size(1)?.unwrap_or(1);
+    let by = args.size(1)?;
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) => {
             curve.reduce(by).map(|c| bezier(c, *form)).map_err(curve_error).at(args.span(0))

@@ -5,6 +5,7 @@ use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
 use std::sync::Arc;
 
+use super::notions::chosen;
 use super::parameter::{Need, Parameter, SURFACE, named, optional, required, size};
 use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
@@ -195,7 +196,7 @@ pub(super) fn polar(args: &Arguments) -> Evaluated {
 
 /// Steps in u and in v: 1 and 1 if not given, the same in both if there is one.
 fn both(args: &Arguments) -> Result<(usize, usize), Diagnostic> {
-    let k = args.optional_size(1)?.unwrap_or(1);
+    let k = args.size(1)?;
     Ok((k, args.optional_size(2)?.unwrap_or(k)))
 }
 
@@ -298,12 +299,7 @@ fn degree(args: &Arguments) -> Evaluated {
 
 /// The letter u or v given under a name.
 pub(super) fn direction(args: &Arguments, name: &str) -> Result<Option<Direction>, Diagnostic> {
-    let Some((value, span)) = args.named(name) else { return Ok(None) };
-    match word_of(value) {
-        Some("u") => Ok(Some(Direction::U)),
-        Some("v") => Ok(Some(Direction::V)),
-        _ => Err(wrong_kind("u or v", value).at(span).hint(format!("such as {name}=u"))),
-    }
+    args.named(name).map(|given| chosen(Some(given), &[("u", Direction::U), ("v", Direction::V)])).transpose()
 }
 
 pub(super) fn net_value(net: &[Vec<Point<Fraction>>], form: Form) -> Value {

@@ -76,7 +76,7 @@ impl Parameter {
         let default = self.default()?;
         let number = |text: &str| text.parse::<Rational>().ok().map(Value::number);
         match self.kind {
-            Takes::Word(words) if words.contains(&default) => Some(Value::Text(default.to_owned())),
+            kind if kind.has_word(default) => Some(Value::Text(default.to_owned())),
             Takes::Variable if default.chars().all(char::is_alphabetic) => {
                 Some(Value::symbol(Symbol::new(default)))
             }

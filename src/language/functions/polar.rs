@@ -258,7 +258,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: on_surface::ELEVATE,
         call: |_, args| {
             let f = args.polar(0)?;
-            let by = args.optional_size(1)?.unwrap_or(1);
+            let by = args.size(1)?;
             let kind = match &f.kind {
                 PolarKind::Univariate(form) => PolarKind::Univariate(form.elevate(by)),
                 PolarKind::Tensor(form) => PolarKind::Tensor(form.elevate(by, by).map_err(polar_error)?),
@@ -282,7 +282,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: on_surface::REDUCE,
         call: |_, args| {
             let f = args.polar(0)?;
-            let by = args.optional_size(1)?.unwrap_or(1);
+            let by = args.size(1)?;
             let kind = match &f.kind {
                 PolarKind::Univariate(form) => form.reduce(by).map(PolarKind::Univariate),
                 PolarKind::Tensor(form) => form.reduce(by, by).map(PolarKind::Tensor),

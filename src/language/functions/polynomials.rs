@@ -133,7 +133,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
         call: |_, args| {
-            let order = args.optional_size(2)?.unwrap_or(1);
+            let order = args.size(2)?;
             match args.value(0)? {
                 Value::Scalar(formula) => {
                     let given = args.optional_symbol(1)?;
@@ -168,7 +168,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
         call: |_, args| {
-            let order = args.optional_size(1)?.unwrap_or(1);
+            let order = args.size(1)?;
             calculus::derivative(args.value(0)?, order).at(args.span(0))
         },
         ..NEW

@@ -12,7 +12,7 @@ use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::geometry::{as_rational_form, bezier, points_of, scalar_list};
-use crate::language::ops::takes::{Takes, alternatives, word_of};
+use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{
     self, CircleArc, ConicKind, ImplicitConic, Interval, Point, RationalCurve, RationalPatch,
@@ -155,8 +155,8 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let arc = CircleArc::new(args.point(0)?, args.point(1)?, args.point(2)?);
             let shorter = arc.map_err(circle_error).at(args.span(2))?;
-            let arc = if args.flag("long", false)? { shorter.complement() } else { shorter };
-            match form(args, ARC_FORMS)? {
+            let arc = if args.flag("long")? { shorter.complement() } else { shorter };
+            match form(args) {
                 "standard" => arc.standard().map(rational).map_err(|error| {
                     let squared = arc.squared_weight();
                     curve_error(error)
@@ -193,7 +193,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let list = |pieces: Vec<RationalCurve<Fraction>>| {
                 Value::List(pieces.into_iter().map(rational).collect())
             };
-            let circle = match form(args, CIRCLE_FORMS)? {
+            let circle = match form(args) {
                 "quintic" => curve::circle_quintic(&m, &p).map(rational),
                 "quartic" => curve::full_circle(&m, &p).map(rational),
                 "quarters" => curve::circle_quarters(&m, &p).map(list),
@@ -289,7 +289,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "sphere_octant([0, 0, 0], 1)(1/2, 1/2)",
         call: |_, args| {
             let (m, r) = (args.point(0)?, args.scalar(1)?);
-            match form(args, OCTANT_FORMS)? {
+            match form(args) {
                 "tensor" => {
                     let patch = curve::sphere_octant(&m, &r).map_err(circle_error).at(args.span(1))?;
                     Ok(tensor(patch.homogeneous().clone(), RATIONAL))
@@ -381,14 +381,9 @@ fn circle_error(error: curve::CurveError) -> Diagnostic {
     }
 }
 
-/// The word given as `form=…`, or the usual one, the first.
-fn form(args: &Arguments, words: &[&'static str]) -> Result<&'static str> {
-    let Some((value, span)) = args.named("form") else { return Ok(words[0]) };
-    let word =
-        word_of(value).ok_or_else(|| wrong_kind("a word", value).at(span).hint("such as form=standard"))?;
-    words.iter().find(|known| **known == word).copied().ok_or_else(|| {
-        Diagnostic::error(Code::Domain, format!("the form is {}", alternatives(words))).at(span)
-    })
+/// The word given as `form=…`.
+fn form(args: &Arguments) -> &str {
+    args.named("form").and_then(|(value, _)| word_of(value)).unwrap_or_default()
 }
 
 /// Homogeneous coordinates by powers, and the interval of the curve, if it has one.

@@ -4,6 +4,7 @@ use super::gives::Gives;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
+use super::notions::{chosen, words_of};
 use super::parameter::{Parameter, named, optional, required};
 use super::record::{Builtin, Variant};
 use super::roots::note_complex;
@@ -14,7 +15,7 @@ use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::{division_by_zero, linalg_error, wrong_kind};
 use crate::language::ops::formula::symbol_of;
-use crate::language::ops::takes::{Takes, word_of};
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Claim, PolarKind, Value, grouped_expr, polynomial_expr, symbol_expr};
 use crate::language::write::text;
 use crate::math::linalg::solutions;
@@ -23,6 +24,9 @@ use crate::math::ring::Ring;
 use crate::math::system::{RealZero, SystemError, common_zeros, groebner_basis, real_zeros};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
+
+const ORDERS: [(&str, MonomialOrder); 3] =
+    [("lex", MonomialOrder::Lex), ("grlex", MonomialOrder::GrLex), ("grevlex", MonomialOrder::GrevLex)];
 
 const PARAMETERS: &[Parameter] = &[
     required("equations", Takes::Equations, "equations, linear or polynomial").shown("[equation, ...]"),
@@ -329,7 +333,7 @@ const BASIS_PARAMETERS: &[Parameter] = &[
     required("F", Takes::OneOf(&[Takes::Coordinates, Takes::Equations]), "the polynomials, or equations")
         .shown("[F_1, ...]"),
     required("unknowns", Takes::Variables, "the unknowns, the largest first").shown("[x, ...]"),
-    named("order=lex", Takes::Word(&["lex", "grlex", "grevlex"]), "lex", "the order of the monomials"),
+    named("order=lex", Takes::Word(&words_of(&ORDERS)), "lex", "the order of the monomials"),
 ];
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
@@ -353,15 +357,7 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
 fn groebner(args: &Arguments, polynomials: &[MultiPoly]) -> Result<Value> {
     let (value, span) = args.given(1).ok_or_else(|| wrong_kind("unknowns", &Value::list(Vec::new())))?;
     let (unknowns, _) = symbols(value, span)?;
-    let order = match args.named("order") {
-        None => MonomialOrder::Lex,
-        Some((value, span)) => match word_of(value) {
-            Some("lex") => MonomialOrder::Lex,
-            Some("grlex") => MonomialOrder::GrLex,
-            Some("grevlex") => MonomialOrder::GrevLex,
-            _ => return Err(wrong_kind("lex, grlex or grevlex", value).at(span).hint("order=lex")),
-        },
-    };
+    let order = chosen(args.named("order"), &ORDERS)?;
     let basis = groebner_basis(polynomials, &unknowns, order).map_err(system_error).at(args.span(0))?;
     Ok(Value::List(basis.into_iter().map(|f| Value::Scalar(Fraction::from(f))).collect()))
 }

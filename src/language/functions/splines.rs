@@ -139,8 +139,8 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalars,
         example: "uniform_knots(3, 5)",
         call: |_, args| {
-            let a = args.optional_scalar(2)?.unwrap_or_else(Fraction::zero);
-            let h = args.optional_scalar(3)?.unwrap_or_else(Fraction::one);
+            let a = args.scalar(2)?;
+            let h = args.scalar(3)?;
             let knots = KnotVector::uniform(args.size(0)?, args.size(1)?, &a, &h).map_err(spline_error)?;
             Ok(scalar_list(knots.knots().iter().cloned()))
         },
@@ -296,7 +296,7 @@ pub(super) const TABLE: &[Builtin] = &[
                         return Err(error.at(span).hint("closed=[1]"));
                     }
                 },
-                _ if args.flag("closed", true)? => function,
+                _ if args.flag_or("closed", true)? => function,
                 _ => function.half_open(),
             };
             Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable))))
@@ -400,7 +400,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "remove_knot(insert_knots(bspline(2, [0, 0, 0, 2, 2, 2], [1, 3, 2]), 1), 1)",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
-            let times = args.named_size("times")?.unwrap_or(1);
+            let times = args.size_named("times")?;
             match s.remove(&args.scalar(1)?, times).map_err(spline_error).at(args.span(1))? {
                 Ok(coarse) => Ok(spline(coarse, form)),
                 Err(defect) => {

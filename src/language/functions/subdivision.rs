@@ -15,7 +15,7 @@ use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value, polynomial_expr, symbol_expr};
 use crate::math::curve::Point;
 use crate::math::linalg::characteristic_polynomial;
-use crate::math::poly::{Coefficients, Fraction, MultiPoly, Poly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Poly};
 use crate::math::ring::Ring;
 use crate::math::subdivision::{Contraction, contraction, limit_stencil};
 
@@ -47,8 +47,8 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "subdivide_polygon([0, 4, 8, 4], chaikin)",
         call: |_, args| {
             let (points, form) = polygon(args)?;
-            let (scheme, steps) = (scheme(args, 1)?, args.optional_size(2)?.unwrap_or(1));
-            let finer = scheme.refine_often(&points, args.flag("closed", false)?, steps);
+            let (scheme, steps) = (scheme(args, 1)?, args.size(2)?);
+            let finer = scheme.refine_often(&points, args.flag("closed")?, steps);
             listed(finer.map_err(subdivision_error).at(args.span(0))?, form)
         },
         ..NEW
@@ -70,7 +70,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "factor(subdivision_symbol(chaikin))",
         call: |_, args| {
             let scheme = scheme(args, 0)?;
-            let z = letter(args, "z")?;
+            let z = letter(args)?;
             let polynomial = scheme.symbol().value(&z);
             let shift = num_traits::pow(z, scheme.first().unsigned_abs() as usize);
             Ok(Value::Scalar(if scheme.first() < 0 { polynomial / shift } else { polynomial.times(&shift) }))
@@ -94,7 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "subdivision_matrix(chaikin, 3, closed=1)",
         call: |_, args| {
             let (scheme, m) = (scheme(args, 0)?, args.size(1)?);
-            let matrix = scheme.matrix(m, args.flag("closed", false)?);
+            let matrix = scheme.matrix(m, args.flag("closed")?);
             matrix.map(Value::Matrix).map_err(subdivision_error).at(args.span(1))
         },
         ..NEW
@@ -115,7 +115,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Table,
         example: "subdivision_smoothness(four_point)",
         call: |_, args| {
-            let (scheme, most) = (scheme(args, 0)?, args.named_size("steps")?.unwrap_or(STEPS));
+            let (scheme, most) = (scheme(args, 0)?, args.size_named("steps")?);
             let mut table = Table::with_header(["class", "difference scheme", "steps", "norm"]);
             for order in 0..=scheme.sum_rules() {
                 let found = contraction(&scheme, order, most).map_err(subdivision_error).at(args.span(0))?;
@@ -172,7 +172,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "limit_points([[0, 0], [4, 0], [4, 4], [0, 4]], cubic, closed=1)",
         call: |_, args| {
             let (points, form) = polygon(args)?;
-            let limits = stencil(args, 1, 2)?.apply(&points, args.flag("closed", false)?);
+            let limits = stencil(args, 1, 2)?.apply(&points, args.flag("closed")?);
             listed(limits.map_err(subdivision_error).at(args.span(0))?, form)
         },
         ..NEW
@@ -184,7 +184,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalar,
         example: "characteristic_polynomial([1, 1; 1, 0])",
         call: |_, args| {
-            let lambda = letter(args, "lambda")?;
+            let lambda = letter(args)?;
             Ok(Value::Scalar(Coefficients::new(characteristic(args)?).value(&lambda)))
         },
         ..NEW
@@ -196,8 +196,8 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Table,
         example: "eigenvalues(local_matrix(four_point))",
         call: |_, args| {
-            let lambda = letter(args, "lambda")?;
-            let symbol = variable(args, "lambda")?;
+            let lambda = letter(args)?;
+            let symbol = args.letter()?;
             let polynomial = Coefficients::new(characteristic(args)?).value(&lambda);
             let mut table = Table::with_header(["eigenvalue", "multiplicity"]);
             for (factor, multiplicity) in polynomial.numerator().factors().factors {
@@ -231,7 +231,7 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 fn stencil(args: &Arguments, i: usize, order: usize) -> Result<crate::math::subdivision::Stencil<Fraction>> {
-    let order = args.optional_size(order)?.unwrap_or(0);
+    let order = args.size(order)?;
     limit_stencil(&scheme(args, i)?, order, STEPS).map_err(subdivision_error).at(args.span(i))
 }
 
@@ -251,7 +251,7 @@ fn listed(points: Vec<Point<Fraction>>, form: Form) -> Result<Value> {
 
 fn characteristic(args: &Arguments) -> Result<Vec<Fraction>> {
     let matrix = args.matrix(0)?;
-    let used = variable(args, "lambda")?;
+    let used = args.letter()?;
     if matrix.iter().any(|entry| entry.variables().contains(&used)) {
         let shown = crate::language::write::text(&symbol_expr(&used));
         let message = format!("{shown} occurs in the matrix, so it cannot be the variable");
@@ -262,10 +262,6 @@ fn characteristic(args: &Arguments) -> Result<Vec<Fraction>> {
     characteristic_polynomial(&matrix).map_err(linalg_error).at(args.span(0))
 }
 
-fn variable(args: &Arguments, usual: &str) -> Result<Symbol> {
-    Ok(args.variable()?.unwrap_or_else(|| Symbol::new(usual)))
-}
-
-fn letter(args: &Arguments, usual: &str) -> Result<Fraction> {
-    Ok(Fraction::from(MultiPoly::symbol(variable(args, usual)?)))
+fn letter(args: &Arguments) -> Result<Fraction> {
+    Ok(Fraction::from(MultiPoly::symbol(args.letter()?)))
 }

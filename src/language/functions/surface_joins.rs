@@ -88,7 +88,7 @@ fn equation_row(equation: &EdgeEquation<Fraction>, form: Form) -> Vec<Cell> {
 }
 
 fn joining_conditions(args: &Arguments) -> Evaluated {
-    let k = args.optional_size(2)?.unwrap_or(1);
+    let k = args.size(2)?;
     let (equations, form) = equations(args, k)?;
     let mut table = Table::with_header(["order", "place", "required", "found", "holds"]);
     table.rows = equations.iter().map(|equation| equation_row(equation, form)).collect();

@@ -80,6 +80,8 @@ pub enum Takes {
     Word(&'static [&'static str]),
     /// A word with numbers, alone or first in a list.
     Named(&'static Notion),
+    /// This number.
+    Exactly(i64),
     /// What one of these is.
     OneOf(&'static [Takes]),
     /// Anything: the function says what it can use.
@@ -207,6 +209,7 @@ impl Takes {
             Takes::Flag => "1 or 0",
             Takes::Text => "words in quotation marks",
             Takes::Word(words) => return Cow::Owned(alternatives(words)),
+            Takes::Exactly(number) => return Cow::Owned(number.to_string()),
             Takes::Named(notion) => return Cow::Owned(notion.ways()),
             Takes::OneOf(kinds) => {
                 let kinds: Vec<Cow<'static, str>> = kinds.iter().map(|kind| kind.description()).collect();
@@ -253,6 +256,7 @@ impl Takes {
             Takes::Flag => matches!(value.as_int(), Some(0 | 1)),
             Takes::Text => matches!(value, Value::Text(_)),
             Takes::Word(words) => word_of(value).is_some_and(|word| words.contains(&word)),
+            Takes::Exactly(number) => value.as_int() == Some(number),
             Takes::Named(notion) => notion.accepts(value),
             Takes::OneOf(kinds) => kinds.iter().any(|kind| kind.accepts(value)),
             Takes::Any => true,

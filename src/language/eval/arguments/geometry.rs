@@ -35,7 +35,7 @@ impl Arguments {
             };
             problem.at(self.span(i)).hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
         })?;
-        let already = self.flag("homogeneous", false)?;
+        let already = self.flag("homogeneous")?;
         let Some((weights, span)) = self.named("weights") else {
             let form =
                 Form { scalar: (scalar && !already) || (already && points[0].len() == 2), rational: already };

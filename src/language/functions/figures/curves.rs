@@ -3,7 +3,7 @@
 use super::numeric::{
     Placed, Space, affine, form_name, local, number, place, placed, point_names, with_axes,
 };
-use super::options::{LABELS, Labels, drawn, finished, labels};
+use super::options::{Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Accent, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -92,7 +92,7 @@ fn equation(name: &str, value: &Fraction) -> Expr {
 
 pub(super) fn bezier(args: &Arguments) -> Evaluated {
     let given = args.curves()?;
-    let wanted = labels(args, LABELS)?;
+    let wanted = labels(args)?;
     let mut curves = Vec::with_capacity(given.len());
     let mut spaces = Vec::with_capacity(given.len());
     let mut all = Vec::new();
@@ -123,8 +123,8 @@ pub(super) fn bezier(args: &Arguments) -> Evaluated {
                 .hint(format!("the interval is [{a}, {b}]; over(c, a, b) moves a curve")));
         }
     }
-    let polygon = args.flag("polygon", true)?;
-    let picture = BezierPicture { curves, parameters: Vec::new(), polygon, hull: args.flag("hull", false)? };
+    let polygon = args.flag("polygon")?;
+    let picture = BezierPicture { curves, parameters: Vec::new(), polygon, hull: args.flag("hull")? };
     let place = args.span(0);
     let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &all, &[])), place)?;
     finished(args, scene)
@@ -143,7 +143,7 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
     let free = ![a, b].iter().any(|end| end.variables().contains(&letter));
     let short = t.as_rational().is_some_and(|q| q.is_integer()) || !free;
     let name = if short { polynomial_expr(&t) } else { Expr::name("t") };
-    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(degree, false));
+    let wanted = labels(args)?.unwrap_or_else(|| usual(degree, false));
     let labels = match wanted {
         Labels::Polar => {
             casteljau_labels(&form_name(0), degree, &polynomial_expr(a), &polynomial_expr(b), &name)
@@ -192,7 +192,7 @@ fn extrapolated(points: &[Plane], t: &Rational) -> Vec<Plane> {
 pub(super) fn bspline(args: &Arguments) -> Evaluated {
     let span = args.span(0);
     let (spline, form) = args.spline(0)?;
-    let wanted = labels(args, LABELS)?;
+    let wanted = labels(args)?;
     no_polar(args, wanted, form)?;
     let knots = spline.knots();
     let greville = || (0..knots.count()).map(|i| number(&knots.greville(i), span)).collect();
@@ -233,7 +233,7 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
         pieces: drawings,
         points: Curve::rational(points).with_labels(names),
         knots: if space == Space::Graph { Vec::new() } else { ends },
-        bezier_points: args.flag("bezier", false)?,
+        bezier_points: args.flag("bezier")?,
     };
     let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range, &marks)), span)?;
     finished(args, scene)
@@ -257,8 +257,8 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
     let second = place(&g, right, args.span(1))?;
     let space = one_space([(first.space, args.span(0)), (second.space, args.span(1))].into_iter())?;
     let (first, second) = (first.polynomial(args.span(0))?, second.polynomial(args.span(1))?);
-    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(n, false));
-    let order = args.named_size("order")?.unwrap_or(2);
+    let wanted = labels(args)?.unwrap_or_else(|| usual(n, false));
+    let order = args.size_named("order")?;
     let marks = knots.clone();
     let mut range = first.clone();
     range.extend(second.iter().cloned());
@@ -278,7 +278,7 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
 pub(super) fn hodograph(args: &Arguments) -> Evaluated {
     let span = args.span(0);
     let (curve, form) = args.curve(0)?;
-    let wanted = labels(args, LABELS)?.unwrap_or(Labels::Points);
+    let wanted = labels(args)?.unwrap_or(Labels::Points);
     if curve.degree() == 0 {
         return Err(Diagnostic::error(Code::ControlPoints, "a single point has no derivative to draw")
             .at(span)

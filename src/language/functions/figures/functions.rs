@@ -1,7 +1,7 @@
 //! Graphs of functions.
 
 use super::numeric::{HEIGHT, number, numbers};
-use super::options::{GRAPH_LABELS, Labels, drawn, finished, labels};
+use super::options::{Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -26,7 +26,7 @@ const MOST_NAMED: usize = 14;
 const LONGEST_NAME: usize = 24;
 
 fn named(args: &Arguments, count: usize) -> Result<bool> {
-    Ok(match labels(args, GRAPH_LABELS)? {
+    Ok(match labels(args)? {
         Some(labels) => labels == Labels::Points,
         None => count <= MOST_NAMED,
     })

@@ -155,7 +155,7 @@ pub(super) const TABLE: &[Builtin] = &[
             )
             .shown("[[b_00, ..., b_0n], ..., [b_m0, ..., b_mn]]"),
             label_words("labels=points", LABELS, "none"),
-            POLYGON,
+            named("polygon=0", Takes::Flag, "1 for points or heights", "whether the net is drawn"),
         ],
         summary: "a tensor-product surface with its net of points, or of heights over a square",
         example: "figure_patch([[0, 2, 0], [1, 4, 1], [0, 2, 0]])",

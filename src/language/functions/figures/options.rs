@@ -1,13 +1,13 @@
 //! What all figures can be told, and how a picture becomes a value.
 
 use crate::language::eval::Arguments;
-use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::functions::notions::chosen;
 use crate::language::functions::parameter::{Parameter, named};
-use crate::language::ops::takes::{Takes, alternatives, word_of};
+use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
 use crate::scene::{Scene, SceneError};
 
@@ -60,19 +60,9 @@ impl Labels {
     ];
 }
 
-/// The value of `labels=…`, which must be among those allowed.
-pub(super) fn labels(args: &Arguments, words: &[&str]) -> Result<Option<Labels>> {
-    let Some((value, span)) = args.named("labels") else { return Ok(None) };
-    let word = word_of(value);
-    let known = Labels::WORDS.iter().find(|(name, _)| words.contains(name) && word == Some(*name));
-    if let Some((_, labels)) = known {
-        return Ok(Some(*labels));
-    }
-    let (list, last) = (alternatives(words), words.last().copied().unwrap_or_default());
-    let found = word.map_or_else(|| value.kind().to_owned(), |word| format!("'{word}'"));
-    Err(Diagnostic::error(Code::Domain, format!("labels are {list} here, not {found}"))
-        .at(span)
-        .hint(format!("for example labels={last}")))
+/// The value of `labels=…`.
+pub(super) fn labels(args: &Arguments) -> Result<Option<Labels>> {
+    args.named("labels").map(|given| chosen(Some(given), &Labels::WORDS)).transpose()
 }
 
 /// The scene as a value, with the width, title and caption that were asked for.
@@ -86,16 +76,13 @@ pub(super) fn finished(args: &Arguments, mut scene: Scene) -> Result<Value> {
         scene = scene.with_width(width as f64);
     }
     let words = |name: &str| match args.named(name) {
-        None => Ok(None),
-        Some((Value::Text(words), _)) => Ok(Some(words.clone())),
-        Some((other, span)) => {
-            Err(wrong_kind("words", other).at(span).hint(format!("in quotation marks: {name}=\"A curve\"")))
-        }
+        Some((Value::Text(words), _)) => Some(words.clone()),
+        _ => None,
     };
-    if let Some(title) = words("title")? {
+    if let Some(title) = words("title") {
         scene = scene.with_title(title);
     }
-    if let Some(caption) = words("caption")? {
+    if let Some(caption) = words("caption") {
         scene = scene.with_caption(caption.as_str());
     }
     Ok(Value::Figure(Arc::new(scene)))

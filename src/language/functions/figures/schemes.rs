@@ -48,7 +48,7 @@ pub(super) fn pyramid(args: &Arguments) -> Evaluated {
         .hint("casteljau(c, t) and deboor(s, t) print schemes of any size"));
     }
     let last = levels.len() - 1;
-    let shown = args.flag("weights", true)?;
+    let shown = args.flag("weights")?;
     let picture = PyramidPicture {
         weights: if shown { weights } else { Vec::new() },
         apex,
@@ -64,7 +64,7 @@ type Scheme = (Vec<Vec<Expr>>, Vec<Vec<[Expr; 2]>>, [&'static str; 2]);
 
 /// De Casteljau's scheme of a Bézier curve, or de Boor's of a spline.
 fn blossom(args: &Arguments) -> Result<Scheme> {
-    let wanted = labels(args, &["polar", "values"])?.unwrap_or(Labels::Polar);
+    let wanted = labels(args)?.unwrap_or(Labels::Polar);
     if let Value::Geometry(geometry) = args.value(0)?
         && let Geometry::Spline(spline, form) = &**geometry
     {
@@ -118,7 +118,7 @@ fn divided_differences(args: &Arguments) -> Result<Scheme> {
     // Differences of symbols are long quotients, which nobody reads in a figure.
     let symbolic = nodes.iter().chain(&values).any(|x| x.as_rational().is_none());
     let usual = if symbolic { Labels::Points } else { Labels::Values };
-    let wanted = labels(args, &["points", "values"])?.unwrap_or(usual);
+    let wanted = labels(args)?.unwrap_or(usual);
     let table = DividedDifferences::with_repeats(&nodes, &values).map_err(|error| {
         let (code, span) = match error {
             InterpolationError::NodesApart { .. } => (Code::Coincident, args.span(0)),

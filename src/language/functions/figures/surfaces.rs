@@ -1,7 +1,7 @@
 //! Figures of surfaces.
 
 use super::numeric::{form_name, number};
-use super::options::{LABELS, Labels, drawn, finished, labels};
+use super::options::{Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -106,14 +106,14 @@ fn patches(args: &Arguments, items: &[Value]) -> Evaluated {
         nets.push((net, weights));
     }
     let (net, weights) = nets.remove(0);
-    let polygon = args.flag("polygon", nets.is_empty())?;
+    let polygon = args.flag_or("polygon", nets.is_empty())?;
     let picture = PatchPicture { weights, others: nets, polygon, ..PatchPicture::of(net) };
     finished(args, drawn(picture.scene(), span)?)
 }
 
 pub(super) fn patch(args: &Arguments) -> Evaluated {
     let span = args.span(0);
-    let wanted = labels(args, LABELS)?.unwrap_or(Labels::None);
+    let wanted = labels(args)?.unwrap_or(Labels::None);
     let value = args.value(0)?;
     let wrong = |value: &Value| {
         wrong_kind("rows of control points or heights", value)
@@ -172,7 +172,7 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
                 .map(|(i, row)| (0..row.len()).map(|j| label(i, j, row.len() - 1)).collect())
                 .collect(),
         },
-        polygon: args.flag("polygon", true)?,
+        polygon: args.flag_or("polygon", true)?,
         ..PatchPicture::of(net)
     };
     finished(args, drawn(picture.scene(), span)?)
@@ -180,7 +180,7 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
 
 pub(super) fn triangle(args: &Arguments) -> Evaluated {
     let span = args.span(0);
-    let wanted = labels(args, LABELS)?;
+    let wanted = labels(args)?;
     let corners: Option<[Expr; 3]> = match args.given(1) {
         Some(_) => {
             let given = args.scalars(1)?;
@@ -250,7 +250,7 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         degree: n,
         points: placed.collect::<Result<_>>()?,
         labels: names(n, usual),
-        polygon: args.flag("polygon", true)?,
+        polygon: args.flag("polygon")?,
     };
     finished(args, drawn(picture.scene(), span)?)
 }

@@ -7,10 +7,10 @@ use crate::language::ops::geometry::scalar_list;
 use std::sync::Arc;
 
 use super::NEW;
-use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numbers, polynomial, word};
+use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numbers, polynomial};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::functions::Builtin;
-use crate::language::functions::notions::{BASIS as BASES, read_basis};
+use crate::language::functions::notions::{BASIS as BASES, chosen, read_basis, words_of};
 use crate::language::functions::parameter::{NODES, Parameter, RESULT_VARIABLE, VALUES, named, required};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, Table, Value};
@@ -44,6 +44,15 @@ const FIT: &[Parameter] = &[
     BASIS,
     RESULT_VARIABLE,
 ];
+
+const METHODS: [(&str, Parameterization); 4] = [
+    ("uniform", Parameterization::Uniform),
+    ("chord", Parameterization::Chord),
+    ("centripetal", Parameterization::Centripetal),
+    ("foley", Parameterization::Foley),
+];
+
+const SCALES: [(&str, Scale); 2] = [("unit", Scale::Unit), ("length", Scale::Sum)];
 
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
@@ -102,11 +111,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "parameters",
         parameters: &[
             required("points", Takes::Points, "the points").shown("[p_0, ..., p_n]"),
-            required(
-                "method",
-                Takes::Word(&["uniform", "chord", "centripetal", "foley"]),
-                "how distances make them",
-            ),
+            required("method", Takes::Word(&words_of(&METHODS)), "how distances make them"),
             named(
                 "decimals=k",
                 Takes::Size,
@@ -115,7 +120,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             ),
             named(
                 "scale=unit",
-                Takes::Word(&["unit", "length"]),
+                Takes::Word(&words_of(&SCALES)),
                 "unit",
                 "whether they end at 1 or at the sum of all distances",
             ),
@@ -204,25 +209,8 @@ fn parameters_of(machine: &mut Machine, args: &Arguments) -> Result<Value> {
     })?;
     let row = |point: &Datum| numbers(point, "the distance of points", span);
     let points: Vec<Vec<Rational>> = points.iter().map(row).collect::<Result<_>>()?;
-    let method = match word(args.given(1)) {
-        Some(("uniform", ..)) => Parameterization::Uniform,
-        Some(("chord", ..)) => Parameterization::Chord,
-        Some(("centripetal", ..)) => Parameterization::Centripetal,
-        Some(("foley", ..)) => Parameterization::Foley,
-        _ => {
-            let problem = wrong_kind("a way to parameters", args.value(1)?).at(args.span(1));
-            return Err(problem.hint("uniform, chord, centripetal or foley"));
-        }
-    };
-    let scale = match word(args.named("scale")) {
-        None | Some(("unit", ..)) => Scale::Unit,
-        Some(("length", ..)) => Scale::Sum,
-        Some((_, value, span)) => {
-            return Err(wrong_kind("a scale", value)
-                .at(span)
-                .hint("scale=unit ends at 1, scale=length at the sum of all distances"));
-        }
-    };
+    let method = chosen(args.given(1), &METHODS)?;
+    let scale = chosen(args.named("scale"), &SCALES)?;
     let decimals = args.named_size("decimals")?;
     let decimals = decimals.map(|decimals| u32::try_from(decimals).unwrap_or(u32::MAX));
     let found = parameters(&points, method, scale, decimals).map_err(interpolation_error).at(span)?;

@@ -5,6 +5,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::functions::matrices::basis_error;
+use crate::language::functions::notions::chosen;
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::geometry::{point_of, points_of};
 use crate::language::ops::takes::word_of;
@@ -90,7 +91,7 @@ impl Samples {
 
     /// The variable of the result, which must not occur in the data.
     pub fn variable(&self, args: &Arguments) -> Result<Symbol> {
-        let variable = variable(args)?;
+        let variable = args.letter()?;
         let used = |x: &Fraction| x.variables().contains(&variable);
         if self.nodes.iter().any(used) {
             return Err(occurs(&variable).at(args.span(0)));
@@ -109,11 +110,6 @@ pub(crate) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
         Value::List(items) if items.is_empty() => Some((Vec::new(), true)),
         _ => points_of(value).map(|(points, scalar)| (points.into_iter().map(Datum::from).collect(), scalar)),
     }
-}
-
-/// The variable named in the call, or t.
-pub(crate) fn variable(args: &Arguments) -> Result<Symbol> {
-    Ok(args.variable()?.unwrap_or_else(|| Symbol::new("t")))
 }
 
 pub(crate) fn occurs(variable: &Symbol) -> Diagnostic {
@@ -172,13 +168,14 @@ pub(crate) fn word(given: Option<(&Value, Span)>) -> Option<(&str, &Value, Span)
     given.map(|(value, span)| (word_of(value).unwrap_or_default(), value, span))
 }
 
-/// norm=one or norm=infinity.
+/// Norms by their words.
+pub(crate) const NORMS: [(&str, Norm); 2] = [("infinity", Norm::Infinity), ("one", Norm::One)];
+
+/// norm=one or norm=infinity, also norm=1.
 pub(crate) fn norm(args: &Arguments, place: usize) -> Result<Norm> {
-    match word(args.given(place)) {
-        None | Some(("infinity", ..)) => Ok(Norm::Infinity),
-        Some(("one", ..)) => Ok(Norm::One),
-        Some((_, value, _)) if value.as_int() == Some(1) => Ok(Norm::One),
-        Some((_, value, span)) => Err(wrong_kind("a norm", value).at(span).hint("norm=one or norm=infinity")),
+    match args.given(place) {
+        Some((value, _)) if value.as_int() == Some(1) => Ok(Norm::One),
+        given => chosen(given, &NORMS),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Inner products and energies of curves, and what is nearest.
 
 use super::NEW;
-use super::data::{Result, scalar_polynomial, variable};
+use super::data::{Result, scalar_polynomial};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
@@ -27,7 +27,6 @@ use crate::math::poly::Fraction;
 use crate::math::ring::Ring;
 use crate::math::spline::{BSpline, KnotVector};
 use nalgebra::DMatrix;
-use num_traits::One;
 
 const FUNCTIONS: Parameter = required("basis", BASIS_OR_KNOTS, "the functions; knots stand for B-splines");
 
@@ -43,8 +42,8 @@ pub(crate) const TABLE: &[Builtin] = &[
             named(
                 "derivative=r",
                 Takes::Size,
-                "0, the mass matrix; 1 is the stiffness matrix",
-                "which derivative",
+                "0",
+                "which derivative: 0 for the mass matrix, 1 for the stiffness matrix",
             ),
             INTERVAL,
         ],
@@ -52,7 +51,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         gives: Gives::Matrix,
         example: "gram(2, bernstein)",
         call: |_, args| {
-            let order = args.named_size("derivative")?.unwrap_or(0);
+            let order = args.size_named("derivative")?;
             Functions::read(args)?.gram(args, order).map(Value::Matrix)
         },
         ..NEW
@@ -83,8 +82,8 @@ pub(crate) const TABLE: &[Builtin] = &[
         example: "legendre(2, t)",
         call: |_, args| {
             let (n, t) = (args.size(0)?, args.scalar(1)?);
-            let a = args.optional_scalar(2)?.unwrap_or_else(|| -Fraction::one());
-            let b = args.optional_scalar(3)?.unwrap_or_else(Fraction::one);
+            let a = args.scalar(2)?;
+            let b = args.scalar(3)?;
             let interval = Interval::new(a.clone(), b.clone()).map_err(curve_error).at(args.span(3))?;
             let x = t.plus(&t).minus(&a).minus(&b).times(interval.inverse_width());
             Ok(Value::Scalar(legendre_all(n, &x).swap_remove(n)))
@@ -93,12 +92,12 @@ pub(crate) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "energy",
-        parameters: &[CURVE, optional("k", Takes::Size, "2, the bending energy", "which derivative")],
+        parameters: &[CURVE, optional("k", Takes::Size, "2", "which derivative; 2 is the bending energy")],
         summary: "the integral of |c^(k)|^2 over the interval of a curve or the domain of a spline",
         gives: Gives::Scalar,
         example: "energy(bezier([[0, 0], [1, 2], [2, 0]]), 1)",
         call: |_, args| {
-            let order = args.optional_size(1)?.unwrap_or(2);
+            let order = args.size(1)?;
             let (s, _) = spline_of(args, 0)?;
             Ok(Value::Scalar(spline_energy(&s, order)))
         },
@@ -136,7 +135,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         gives: Gives::Curve,
         example: "best_reduction(bezier([0, 0, 1]))",
         call: |_, args| {
-            let (by, ends) = (args.optional_size(1)?.unwrap_or(1), args.named_size("ends")?.unwrap_or(0));
+            let (by, ends) = (args.size(1)?, args.size_named("ends")?);
             let (curve, form) = args.bezier(0)?;
             polynomial(form, args.span(0))?;
             let Some(degree) = curve.degree().checked_sub(by) else {
@@ -264,7 +263,7 @@ impl Functions {
     fn combinations(&self, args: &Arguments, coefficients: &DMatrix<Fraction>) -> Result<Value> {
         match self {
             Functions::Polynomials(n, basis, _) => {
-                let variable = variable(args)?;
+                let variable = args.letter()?;
                 let power = change_of_basis(*n, basis, &Basis::Power).map_err(basis_error)?;
                 let product = multiply(&power, coefficients).map_err(linalg_error)?;
                 let column = |j: usize| {

@@ -10,13 +10,14 @@ use num_traits::Zero;
 
 use super::NEW;
 use super::data::{
-    Datum, Result, Samples, datum, difference_label, indexed, interpolation_error, norm, numbers, occurs,
-    polynomial, scalar_polynomial, symbol,
+    Datum, NORMS, Result, Samples, datum, difference_label, indexed, interpolation_error, norm, numbers,
+    occurs, polynomial, scalar_polynomial, symbol,
 };
 use super::tables;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::functions::Builtin;
+use crate::language::functions::notions::words_of;
 use crate::language::functions::parameter::{
     DEGREE, NODES, Parameter, RESULT_VARIABLE, VALUES, VARIABLE, optional, required,
 };
@@ -38,7 +39,7 @@ const REPEATED: Parameter =
 
 const NORM: Parameter = optional(
     "norm",
-    Takes::Word(&["infinity", "one"]),
+    Takes::OneOf(&[Takes::Word(&words_of(&NORMS)), Takes::Exactly(1)]),
     "infinity",
     "the sums of rows (infinity) or of columns (one)",
 )

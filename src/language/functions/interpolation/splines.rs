@@ -2,7 +2,7 @@
 
 use crate::language::eval::Arguments;
 use crate::language::functions::gives::Gives;
-use crate::language::ops::errors::wrong_kind;
+use crate::language::functions::notions::{chosen, words_of};
 use std::sync::Arc;
 
 use super::NEW;
@@ -42,9 +42,11 @@ pub(crate) const ONE_END: [Parameter; 4] = [
     named("last_moment=b", Takes::Point, "what ends says", "the second derivative at the last node"),
 ];
 
+const UNKNOWNS: [(&str, Unknowns); 2] = [("moments", Unknowns::Moments), ("slopes", Unknowns::Slopes)];
+
 const METHOD: Parameter = named(
     "method=moments",
-    Takes::Word(&["moments", "slopes"]),
+    Takes::Word(&words_of(&UNKNOWNS)),
     "moments",
     "the unknowns of the system that is solved",
 );
@@ -130,14 +132,8 @@ struct Given {
 impl Given {
     fn read(args: &Arguments) -> Result<Self> {
         let samples = Samples::read(args)?;
-        let unknowns = match word(args.named("method")) {
-            None | Some(("moments", ..)) => Unknowns::Moments,
-            Some(("slopes", ..)) => Unknowns::Slopes,
-            Some((_, value, span)) => {
-                let problem = wrong_kind("a method", value).at(span);
-                return Err(problem.hint("method=moments or method=slopes"));
-            }
-        };
+        let unknowns =
+            args.named("method").map_or(Ok(Unknowns::Moments), |given| chosen(Some(given), &UNKNOWNS))?;
         let ends = ends(args, samples.form)?;
         Ok(Given { samples, ends, unknowns })
     }
@@ -208,9 +204,7 @@ fn both_ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
         (None | Some(("natural", ..)), None, None) => Ok(Ends::natural()),
         (Some(("periodic", ..)), None, None) => Ok(Ends::Periodic),
         (Some(("not_a_knot", ..)), None, None) => Ok(Ends::not_a_knot()),
-        (Some((_, value, span)), None, None) => Err(wrong_kind("a kind of ends", value)
-            .at(span)
-            .hint("natural, clamped (with slopes=[a, b]), periodic or not_a_knot")),
+        (Some((_, value, span)), None, None) => Err(ENDS.kind.refuses(value).at(span)),
     }
 }
 
