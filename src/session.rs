@@ -29,7 +29,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
-use crate::judge::{asked, doubtful, evaluator};
+use crate::judge::check::asked;
+use crate::judge::values::evaluator;
+use crate::judge::written::ambiguous;
 use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
@@ -326,12 +328,12 @@ impl Session {
         if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
-        if let Some(problem) = doubtful::touching_list(&statement) {
+        if let Some(problem) = ambiguous::touching_list(&statement) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
-                doubtful::products(&statement, latex, &mut outcome.notes);
+                ambiguous::products(&statement, latex, &mut outcome.notes);
                 spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
                 spelling::differences(&statement, &function, &mut outcome.notes);

@@ -5,7 +5,7 @@ use super::line::defining;
 use super::{Answer, Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::evaluator;
+use crate::judge::values::evaluator;
 use crate::language::eval::Equals;
 use crate::language::syntax;
 

@@ -4,7 +4,7 @@
 use super::{Answer, Failure, Session};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval::Equals;
 use crate::language::lexicon::{roles, wanted};
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::Rel;
-use crate::judge::inequality::positive;
+use crate::judge::values::inequality::positive;
 use crate::language::lexicon::roles;
 use crate::language::value::{Judgement, Verdict, Witness};
 use crate::math::number::{Rational, integer, rational};

@@ -7,7 +7,7 @@ use super::given::{Given, in_order};
 use super::{Answer, Failure, Session, defines, read_as, spoken};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Link, Rel, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval::Equals;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;

@@ -2,7 +2,7 @@
 
 use super::{Session, defines};
 use crate::formula::{Expr, Kind, Rel, applied};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::{families, roles};
 use crate::language::write;

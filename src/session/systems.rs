@@ -3,7 +3,7 @@
 use super::{Answer, Failure, Session, read_as};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Link, Rel, call};
-use crate::judge::evaluator;
+use crate::judge::values::evaluator;
 use crate::language::eval::Equals;
 
 /// What opens such a brace in LaTeX.

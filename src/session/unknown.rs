@@ -3,7 +3,7 @@
 use super::{Answer, Failure, Session, defines, guarded, items_in, read_as};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
 use crate::language::functions::function_called;

@@ -5,7 +5,7 @@ use super::draft::{self, Draft};
 use super::{Read, apposition, knots, lists, notations};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
