@@ -9,7 +9,7 @@ use std::rc::Rc;
 use crate::budget::Limits;
 use crate::formula::Expr;
 use crate::formula::source::Span;
-use crate::judge::instances::trial;
+use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Mark};
 use crate::judge::page::finding::{Evidence, Finding, Verdict};
@@ -60,7 +60,7 @@ impl Checker {
         let limits = self.limits.clone();
         let (kept, uses) = (self.context.clone(), self.uses.clone());
         let (taken, schemes) = (self.taken.len(), self.schemes.len());
-        let steps = Some(trial::share(&limits, TRIES as u64));
+        let steps = Some(setting::share(&limits, TRIES as u64));
         self.limits = Limits { steps, ..limits.clone() };
         let found = self.blamed(chain, statement, &additions, before);
         self.limits = limits;

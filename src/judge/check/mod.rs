@@ -1,12 +1,13 @@
 //! A page checked: statements one after the other, what they define is known to those after them.
 //!
-//! `asked` makes a page of one claim, `declare` takes in declarations, `derivation` reads operators, and `blame` finds
-//! which of several formulas of a sentence is wrong.
+//! `asked` makes a page of one claim, `declare` takes in declarations, `derivation` reads D as an operator, `implied` knows
+//! what a sentence says beside its formula, and `blame` finds which of several formulas of a sentence is wrong.
 
 pub(crate) mod asked;
 mod blame;
 mod declare;
 mod derivation;
+mod implied;
 
 use std::rc::Rc;
 
@@ -17,9 +18,9 @@ use crate::judge::known::meaning::{definable, is_root_of};
 use crate::judge::known::unread::Unread;
 use crate::judge::page::context::{Body, Mark, is_variable};
 use crate::judge::page::finding::{Finding, Verdict, blank, of_side, without_statement};
-use crate::judge::page::object::{Declared, Object, Sort};
+use crate::judge::page::object::{Declared, Object};
 use crate::judge::page::reach::whole_sums;
-use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement, equates_values};
+use crate::judge::page::statement::{Chain, Role, Said, Side, Statement, equates_values};
 use crate::judge::page::topic::Topic;
 use crate::judge::reasons::lint;
 use crate::judge::written::names::{Head, bases, is_range};
@@ -209,51 +210,6 @@ impl Checker {
         self.by_own_values(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
         Ok(findings)
-    }
-
-    /// Takes in what words say that names stand for.
-    pub(in crate::judge) fn object(&mut self, object: &Object, place: &Place) {
-        let line = object.names.first().map_or(0, |name| self.line(name.span));
-        let mut object = object.clone();
-        // The pieces of a spline meet at the data, if nothing else is said.
-        if object.sort == Sort::SplineCurve && object.knots.is_empty() && object.points.is_empty() {
-            object.knots = object.data.iter().map(|(x, _)| x.clone()).collect();
-        }
-        // f(0, 1) in a table: a value of f says nothing of what f is.
-        if let (Sort::Symbols, [name @ Expr { kind: Kind::Apply(..), .. }], [value]) =
-            (&object.sort, object.names.as_slice(), object.values.as_slice())
-        {
-            let equation = Expr::relation(name.clone(), Rel::Eq, value.clone());
-            self.condition(equation, name.span, false, place);
-            return;
-        }
-        // "The point b_i arises …": the b_i that are known
-        let known = |head: Head| {
-            let known = self.context.object(&head, place).filter(|known| known.place.scope == place.scope);
-            known.is_some_and(|known| known.object.has_values())
-        };
-        if matches!(object.sort, Sort::Symbols | Sort::ControlPoints)
-            && object.is_bare()
-            && object.names.iter().filter_map(Head::of).all(known)
-        {
-            return;
-        }
-        let object = Rc::new(object);
-        let declared = Declared { object: object.clone(), place: place.clone(), line };
-        Rc::make_mut(&mut self.context).declare(declared);
-        if let [name] = object.names.as_slice() {
-            for (x, y) in &object.data {
-                let value = Expr::apply(name.clone(), vec![x.clone()]);
-                self.condition(Expr::relation(value, Rel::Eq, y.clone()), name.span, false, place);
-            }
-        }
-        if object.natural {
-            self.natural(&object, place);
-        }
-        for (head, value) in object.members() {
-            let span = value.span;
-            self.define(head, Body::Formula(value), &[], place, span);
-        }
     }
 
     /// Whether a sign with "!" above it says that it shall hold.

@@ -12,8 +12,8 @@ use std::rc::Rc;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::instances::hypotheses::is_coefficient;
+use crate::judge::instances::setting;
 use crate::judge::instances::tally::Failure;
-use crate::judge::instances::trial;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
 use crate::judge::page::context::{Body, Condition, Mark};
@@ -24,8 +24,7 @@ use crate::judge::page::topic::Topic;
 use crate::judge::reasons::counterexample;
 use crate::judge::repair;
 use crate::judge::values::compare;
-use crate::judge::written::names::calls;
-use crate::judge::written::names::{Head, bases, contains, is_range};
+use crate::judge::written::names::{Head, bases, calls, contains, is_range};
 use crate::language::write;
 use crate::math::poly::Symbol;
 
@@ -156,7 +155,7 @@ impl Checker {
         if let Some((fact, failure)) = failing {
             // A slip, if with a small change all that was said holds.
             let repaired = edits.find(|edit| {
-                if budget::spent() - start > trial::share(&self.limits, 4) {
+                if budget::spent() - start > setting::share(&self.limits, 4) {
                     return false;
                 }
                 Rc::make_mut(&mut self.context).replace(before.definitions(), edit.clone());
@@ -190,7 +189,7 @@ impl Checker {
         }
         let first = holding.first()?;
         let noticed = edits.all(|edit| {
-            if budget::spent() - start > trial::share(&self.limits, 2) {
+            if budget::spent() - start > setting::share(&self.limits, 2) {
                 return false;
             }
             if self.agree(&setting, &edit, right) {

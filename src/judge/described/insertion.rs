@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
-use crate::judge::instances::trial;
+use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, Mark, value_given};
@@ -141,7 +141,7 @@ impl Checker {
         let start = budget::spent();
         let repaired = repair::edits(right, left, &None)
             .into_iter()
-            .take_while(|_| budget::spent() - start < trial::share(&self.limits, 4))
+            .take_while(|_| budget::spent() - start < setting::share(&self.limits, 4))
             .find(|edit| {
                 let tally = tried(edit);
                 tally.fails.is_empty() && tally.holds > 0

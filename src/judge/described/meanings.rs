@@ -12,8 +12,8 @@ use std::rc::Rc;
 
 use crate::budget;
 use crate::formula::{Accent, Expr, Kind, Rel};
+use crate::judge::instances::setting;
 use crate::judge::instances::tally::{Failure, Tally};
-use crate::judge::instances::trial;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::found::{Curve, Made, Meaning, Taken};
 use crate::judge::page::context::{Mark, is_variable};
@@ -310,7 +310,7 @@ impl Checker {
         let points = meaning.curve.points.as_deref().unwrap_or_default();
         let moved = [-1, 1].map(|by| with_indices_moved(right, points, by));
         repair::edits(right, &new.side, &None).into_iter().chain(moved).any(|edit| {
-            if budget::spent() - start > trial::share(&self.limits, 4) {
+            if budget::spent() - start > setting::share(&self.limits, 4) {
                 return false;
             }
             let objects = meaning.curve.object.iter().cloned().chain([meaning.object(new)]);
@@ -405,16 +405,6 @@ impl Checker {
             }
         }
         found
-    }
-
-    /// What the section said, the latest first.
-    pub(in crate::judge) fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
-        self.context
-            .heard
-            .iter()
-            .rev()
-            .filter(|(other, _)| place.knows(other, false))
-            .map(|(_, expr)| &**expr)
     }
 
     /// How many points of a letter the section listed: 5, for c_0, …, c_4.

@@ -11,8 +11,7 @@
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::judge::known::checker::Checker;
-use crate::judge::page::finding::{Evidence, Finding, Verdict};
-use crate::judge::page::finding::{of_side, without_statement};
+use crate::judge::page::finding::{Evidence, Finding, Verdict, of_side, without_statement};
 use crate::judge::page::statement::{Side, Statement, Triangle};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::evaluator;

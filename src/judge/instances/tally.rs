@@ -75,6 +75,13 @@ pub struct Tally {
     pub record: Record,
 }
 
+impl Tally {
+    /// Whether it is about two functions that words introduced and of which no more is known.
+    pub fn is_of_two_functions(&self) -> bool {
+        self.record.unknown.len() > 1
+    }
+}
+
 /// How all instances went.
 pub struct Outcomes {
     /// For each relation.

@@ -6,26 +6,25 @@
 
 use crate::language::lexicon::roles;
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::instances::conditions::{CANNOT_HOLD, Conditions};
 use crate::judge::instances::integers::{as_values, equated_index, is_inner, is_outside, last_values};
-use crate::judge::instances::related::Contacts;
+use crate::judge::instances::setting::{Facts, Setting, share};
 use crate::judge::instances::tally::{Failure, Outcomes, Tally};
 use crate::judge::model::{Choices, Model, Record, holds};
 use crate::judge::page::context::{Context, is_variable};
-use crate::judge::page::statement::Curve;
-use crate::judge::page::statement::{Chain, Place};
+use crate::judge::page::statement::Place;
 use crate::judge::values::compare::{self, Outcome};
 use crate::judge::values::evaluator::{self, evaluate_reading};
 use crate::judge::values::family::advance;
 use crate::judge::written::features::{
     ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs,
 };
-use crate::judge::written::names::{bases, integer_names, is_index_letter, is_range};
+use crate::judge::written::names::{bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
@@ -40,62 +39,6 @@ const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 
 /// More instances than this are not tried.
 const MOST: usize = 260;
-
-/// Steps for one formula, if nothing else is said.
-const STEPS: u64 = 4_000_000;
-
-/// A part of the steps that one formula may take.
-pub fn share(limits: &Limits, part: u64) -> u64 {
-    limits.steps.unwrap_or(STEPS) / part
-}
-
-/// What a chain may rest on.
-#[derive(Default)]
-pub struct Facts {
-    /// Conditions said before, those of the same section first, the latest first.
-    pub earlier: Vec<Expr>,
-    /// For which indices each of them is said.
-    pub ranges: Vec<Vec<Expr>>,
-    /// So many of them stand in the same section.
-    pub near: usize,
-    /// What words say of functions that agree.
-    pub contacts: Contacts,
-    /// The names in the chain, and those that what is known of these leads to.
-    pub reached: BTreeSet<String>,
-    /// Letters whose members are knots.
-    pub knot_letters: Vec<String>,
-    /// The knots that the page gives, by their numbers.
-    pub given_knots: Rc<BTreeMap<i64, Rational>>,
-}
-
-/// What surrounds a chain.
-pub struct Setting<'a> {
-    /// The chain.
-    pub chain: &'a Chain,
-    /// Where it stands.
-    pub place: &'a Place,
-    /// The curve that its sentence speaks of.
-    pub curve: Option<Curve>,
-    /// What is known.
-    pub facts: Rc<Facts>,
-}
-
-impl<'a> Setting<'a> {
-    /// The same without the equations among the facts: what is tested may not rest on itself.
-    pub(in crate::judge) fn without_equations(&self) -> Setting<'a> {
-        let Facts { earlier, reached, knot_letters, given_knots, .. } = &*self.facts;
-        let facts = Facts {
-            earlier: earlier.iter().filter(|expr| is_range(expr)).cloned().collect(),
-            ranges: Vec::new(),
-            near: 0,
-            contacts: Contacts::default(),
-            reached: reached.clone(),
-            knot_letters: knot_letters.clone(),
-            given_knots: given_knots.clone(),
-        };
-        Setting { facts: Rc::new(facts), curve: self.curve.clone(), ..*self }
-    }
-}
 
 /// What is tried.
 pub struct Trial<'a> {

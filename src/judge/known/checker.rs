@@ -141,4 +141,14 @@ impl Checker {
         let definition = Definition { head, body, conditions, place, line, assumed: false, source };
         Rc::make_mut(&mut self.context).define(definition);
     }
+
+    /// What the section said, the latest first.
+    pub(in crate::judge) fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
+        self.context
+            .heard
+            .iter()
+            .rev()
+            .filter(|(other, _)| place.knows(other, false))
+            .map(|(_, expr)| &**expr)
+    }
 }

@@ -1,16 +1,16 @@
 //! Whether the left side of an equation has a meaning already: then the equation is a claim, else a
 //! definition.
 
+use std::collections::BTreeSet;
+
 use crate::formula::{Expr, Kind, Rel, Term};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Condition, Definition, Source, is_variable};
 use crate::judge::page::object::Sort;
-use crate::judge::page::statement::Curve;
-use crate::judge::page::statement::{Chain, Place};
-use crate::judge::written::names::calls;
+use crate::judge::page::statement::{Chain, Curve, Place};
 use crate::judge::written::names::{
-    Head, base_of, bases, capital_of, has_members, integer_names, is_capital, is_index_letter, is_range,
-    polar_names, primed, walk,
+    Head, base_of, bases, calls, capital_of, has_members, integer_names, is_capital, is_index_letter,
+    is_range, polar_names, primed, walk,
 };
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::words::is_function_word;
@@ -507,6 +507,18 @@ impl Checker {
             }
         }
         !points && !mentioned
+    }
+
+    /// Whether the page says that a member of one of these families is another one: b_3 = b_0.
+    pub(in crate::judge) fn has_equal_members(&self, letters: &BTreeSet<String>, place: &Place) -> bool {
+        let member = |head: &Head| head.arguments.is_none() && head.lower.len() == 1 && head.upper.is_empty();
+        letters.iter().any(|letter| {
+            self.context.visible(letter, place).any(|(_, definition, near)| {
+                let Body::Formula(body) = &definition.body else { return false };
+                let same = Head::of(body).filter(&member).is_some_and(|other| other.base == *letter);
+                near && member(&definition.head) && same
+            })
+        })
     }
 }
 

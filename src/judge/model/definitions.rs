@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Rel, Sign};
 use crate::judge::page::context::{Body, Condition, Definition, Source};
-use crate::judge::written::names::calls;
 use crate::judge::written::names::{
-    Head, bases, capital_of, integer_names, is_capital, is_index_letter, walk,
+    Head, bases, calls, capital_of, integer_names, is_capital, is_index_letter, walk,
 };
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;

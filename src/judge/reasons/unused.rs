@@ -10,8 +10,7 @@ use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Definition, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
-use crate::judge::page::statement::equates_values;
-use crate::judge::page::statement::{Chain, Place, Statement};
+use crate::judge::page::statement::{Chain, Place, Statement, equates_values};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::compare;
 use crate::judge::written::names::{Head, bases, integer_names, is_index_letter};
@@ -202,17 +201,5 @@ impl Checker {
             let line = self.line(chain.sides[0].expr.span);
             self.laws.push((one.base, place.clone(), line));
         }
-    }
-
-    /// Whether the page says that a member of one of these families is another one: b_3 = b_0.
-    pub(in crate::judge) fn has_equal_members(&self, letters: &BTreeSet<String>, place: &Place) -> bool {
-        let member = |head: &Head| head.arguments.is_none() && head.lower.len() == 1 && head.upper.is_empty();
-        letters.iter().any(|letter| {
-            self.context.visible(letter, place).any(|(_, definition, near)| {
-                let Body::Formula(body) = &definition.body else { return false };
-                let same = Head::of(body).filter(&member).is_some_and(|other| other.base == *letter);
-                near && member(&definition.head) && same
-            })
-        })
     }
 }

@@ -17,8 +17,8 @@ pub(super) use self::edits::edits;
 
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
+use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::{Outcomes, Tally};
-use crate::judge::instances::trial::Setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::model::Choices;
 use crate::judge::page::statement::Statement;
@@ -69,7 +69,7 @@ pub fn find(
             return false;
         }
         hearings.set(hearings.get() + 1);
-        let short = budget::spent() - start <= crate::judge::instances::trial::share(&checker.limits, 1);
+        let short = budget::spent() - start <= crate::judge::instances::setting::share(&checker.limits, 1);
         short
             && hearings.get() <= HEARINGS
             && checker.confirms(setting.chain, at, [left, right], held, statement)
@@ -103,7 +103,7 @@ pub fn find(
     let value = matches!(right.kind, Kind::Number(_)) && !computed;
     let mut best: Option<Repair> = None;
     for (left, right) in candidates {
-        if budget::spent() - start > crate::judge::instances::trial::share(&checker.limits, 16) {
+        if budget::spent() - start > crate::judge::instances::setting::share(&checker.limits, 16) {
             break;
         }
         budget::steps(64);

@@ -5,7 +5,7 @@
 
 use super::edits::at_every_node;
 use crate::formula::{Expr, Kind, Term};
-use crate::judge::instances::trial::Setting;
+use crate::judge::instances::setting::Setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::model::Choices;
 use crate::language::value::Value;

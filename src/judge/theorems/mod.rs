@@ -32,7 +32,8 @@ use self::forms::{
 use self::letters::{Profile, Said, ways};
 use crate::budget;
 use crate::formula::{Accent, Expr, Kind, Rel, interval};
-use crate::judge::instances::trial::{Setting, Trial};
+use crate::judge::instances::setting::Setting;
+use crate::judge::instances::trial::Trial;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::found::Agreement;
 use crate::judge::known::unfold;
@@ -102,7 +103,7 @@ impl Checker {
             return None;
         }
         let start = budget::spent();
-        let long = || budget::spent() - start > crate::judge::instances::trial::share(&self.limits, 2);
+        let long = || budget::spent() - start > crate::judge::instances::setting::share(&self.limits, 2);
         let suggestion = |sides: [&Expr; 2]| self.suggestion(chain, at, sides, &[], statement);
         let known = known();
         let polar = statement.topics.has(Topic::PolarForm);

@@ -3,18 +3,15 @@
 use std::rc::Rc;
 
 use crate::formula::{Expr, Kind, Rel};
+use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::Tally;
-use crate::judge::instances::trial::Setting;
 use crate::judge::known::checker::Checker;
-use crate::judge::known::meaning::definable;
-use crate::judge::known::meaning::is_root_of;
+use crate::judge::known::meaning::{definable, is_root_of};
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, is_variable};
-use crate::judge::page::finding::blank;
-use crate::judge::page::finding::{Evidence, Finding, Verdict};
+use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
 use crate::judge::page::object::{Declared, Sort};
-use crate::judge::page::statement::Curve;
-use crate::judge::page::statement::{Chain, Role, Side, Statement};
+use crate::judge::page::statement::{Chain, Curve, Role, Side, Statement};
 use crate::judge::page::topic::Topic;
 use crate::judge::reasons::lint;
 use crate::judge::reasons::refute;
@@ -519,7 +516,7 @@ impl Checker {
                 && statement.role != Some(Role::Introduced)
                 && findings[at].verdict == Verdict::Undecided
                 && tally.fails.iter().any(|failure| failure.inner)
-                && self.is_of_two_functions(tally);
+                && tally.is_of_two_functions();
             let open = given || join || findings[at].verdict == Verdict::Definition;
             if open && chain.relations[at].0 == Rel::Eq {
                 let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);

@@ -2,8 +2,7 @@
 
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
-use crate::judge::page::finding::blank;
-use crate::judge::page::finding::{Finding, Verdict};
+use crate::judge::page::finding::{Finding, Verdict, blank};
 use crate::judge::page::statement::{Chain, Place};
 use crate::judge::values::compare::Outcome;
 use crate::judge::values::evaluator::evaluate_reading;

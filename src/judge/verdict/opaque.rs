@@ -4,7 +4,7 @@
 //! e^{a + b} is e^a e^b, and (√a)² is a; no other law is used, and nothing is refuted by them.
 
 use crate::formula::{Expr, Kind, Quotient, Rel, Sign, Term};
-use crate::judge::instances::trial::Setting;
+use crate::judge::instances::setting::Setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::statement::{Chain, Statement};

@@ -6,11 +6,10 @@ use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::instances::conditions::CANNOT_HOLD;
 use crate::judge::instances::hypotheses;
+use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::{Failure, Outcomes, Tally};
-use crate::judge::instances::trial::Setting;
 use crate::judge::known::checker::Checker;
-use crate::judge::page::finding::blank;
-use crate::judge::page::finding::{Evidence, Finding, Verdict};
+use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
 use crate::judge::page::object::UNNAMED;
 use crate::judge::page::statement::{Chain, Place, Role, Side, Statement};
 use crate::judge::prove::prove;
@@ -295,7 +294,7 @@ impl Checker {
         }
         let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
         let limits = Limits {
-            steps: Some(crate::judge::instances::trial::share(&self.limits, 16)),
+            steps: Some(crate::judge::instances::setting::share(&self.limits, 16)),
             ..self.limits.clone()
         };
         let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
