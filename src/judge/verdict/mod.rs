@@ -5,6 +5,7 @@
 
 mod attempt;
 mod chain;
+mod forms;
 mod learn;
 mod lists;
 mod opaque;
