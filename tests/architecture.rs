@@ -2,6 +2,8 @@
 //! or from its own. Every path of every file is looked at, also in tests, macros and modules inside
 //! modules.
 
+#![allow(clippy::print_stdout, reason = "the circles that there are")]
+
 mod graph;
 mod tree;
 
@@ -92,12 +94,12 @@ const SMALL_CIRCLE: usize = 5;
 /// The large circles: by imports those of a folder, by methods those of a type, which cost no import; with the number of
 /// their files, and why they are there.
 const CIRCLES: &[(&str, usize, &str)] = &[
-    ("cli", 10, "commands are started in mod.rs, and use what stands there"),
-    ("document", 9, "quotations and cells have blocks, and blocks have quotations and cells"),
-    ("judge/model", 6, "the value of a call may be a family, whose members are calls"),
+    ("cli", 10, "mod.rs starts the commands, which give back its status; some start others"),
+    ("document", 9, "a part is read as a document is, and all write into one collector"),
+    ("judge/model", 6, "mod.rs has the model, the others the meanings for which it asks them"),
     ("language/value", 10, "a value may be made of values of each kind"),
     ("notes/objects", 10, "phrases name objects, and objects are described by phrases"),
-    ("notes/speech", 9, "the languages stand in one table, whose types their files use"),
+    ("notes/speech", 9, "the languages stand in one table, of whose types their files are made"),
     ("session/spoken", 10, "a request is read by rules that read parts of it as requests"),
     ("judge::model::Model", 17, "a formula is evaluated by the kind of its node, and its parts again"),
     (
@@ -108,7 +110,7 @@ const CIRCLES: &[(&str, usize, &str)] = &[
     ("language::latex::reader::Reader", 11, "a reader by descent: an atom may be a formula in brackets"),
     ("language::syntax::parser::Parser", 6, "a reader by descent: an operand may be a formula in brackets"),
     ("notes::objects::Reader", 7, "phrases name objects, and objects are described by phrases"),
-    ("session::Session", 10, "a line that is not understood is tried in other words, as a line"),
+    ("session::Session", 10, "the session asks each reading of a line, which hands its parts to the session"),
 ];
 
 /// The aim is 600.
