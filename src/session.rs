@@ -3,25 +3,11 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
-mod advice;
-mod certified;
-mod clauses;
-mod completion;
-mod condition;
-mod counterexamples;
-mod data;
-mod described;
 mod foreign;
 mod given;
-mod habits;
-mod intervals;
-mod line;
-mod members;
-mod spelling;
+mod hints;
+mod lines;
 mod spoken;
-mod systems;
-mod units;
-mod unknown;
 
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -41,8 +27,8 @@ use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
 
-pub use completion::{Candidate, completions};
 pub use given::Conditions;
+pub use hints::completion::{Candidate, completions};
 
 /// A statement that failed, with the text it was read from.
 #[derive(Clone, Debug)]
@@ -325,7 +311,7 @@ impl Session {
         let (with_arguments, remark) = self.with_members_called(statement);
         statement = with_arguments;
         let known = |name: &str| defines(&self.env, name);
-        if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
+        if let Some(problem) = foreign::spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         if let Some(problem) = ambiguous::touching_list(&statement) {
@@ -334,11 +320,13 @@ impl Session {
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 ambiguous::products(&statement, latex, &mut outcome.notes);
-                spelling::remarks(&statement, file, &mut outcome.notes);
+                foreign::spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
-                spelling::differences(&statement, &function, &mut outcome.notes);
+                foreign::spelling::differences(&statement, &function, &mut outcome.notes);
                 outcome.notes.extend(remark);
-                outcome.notes.extend(spelling::degree_last(&statement, &|name| defines(&self.env, name)));
+                outcome
+                    .notes
+                    .extend(foreign::spelling::degree_last(&statement, &|name| defines(&self.env, name)));
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.

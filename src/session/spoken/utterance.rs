@@ -1,6 +1,5 @@
 //! A request while it is put together: its functions, their object, and what is said of them.
 
-use super::super::systems::is_equation;
 use super::draft::{self, Draft};
 use super::{Read, apposition, knots, lists, notations};
 use crate::formula::source::Span;
@@ -9,6 +8,7 @@ use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
+use crate::session::given::is_equation;
 
 /// A request, read.
 #[derive(Clone, Default)]

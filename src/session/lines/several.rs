@@ -1,8 +1,5 @@
 //! A line of several formulas: what is defined and supposed in it, then what is asked, wherever each of them stands.
 
-use super::given::{Given, each_equal, in_order};
-use super::systems::is_equation;
-use super::{Answer, Failure, Session, defines, read_as};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, call, named, spread};
 use crate::judge::values::evaluator;
@@ -15,6 +12,9 @@ use crate::language::lexicon::{roles, words};
 use crate::language::syntax::{self, Line, Piece, Role, Sentence};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
+use crate::session::given::is_equation;
+use crate::session::given::{Given, each_equal, in_order};
+use crate::session::{Answer, Failure, Session, defines, read_as};
 
 /// What the pieces of a line are, put in their places.
 #[derive(Default)]
@@ -28,7 +28,7 @@ struct Taken {
 
 impl Session {
     /// Runs a line that is no single formula or request; `None` if it cannot be cut, or only into pieces that nobody reads.
-    pub(super) fn run_line(
+    pub(in crate::session) fn run_line(
         &mut self,
         file: &SourceFile,
         whole: Span,
@@ -384,7 +384,7 @@ fn defined_name(part: &Expr) -> Option<String> {
 }
 
 /// A definition with := in place of =.
-pub(super) fn defining(mut part: Expr) -> Expr {
+pub(in crate::session) fn defining(mut part: Expr) -> Expr {
     if let Kind::Chain(_, links) = &mut part.kind
         && let [link @ Link { rel: Rel::Eq, .. }] = links.as_mut_slice()
     {

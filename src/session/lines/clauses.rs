@@ -1,17 +1,17 @@
 //! Definitions in words: `let f be the polar form of t^2`, `f = derivative of t^3; f(2)`.
 
-use super::given::{Given, in_order};
-use super::line::defining;
-use super::{Answer, Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::values::evaluator;
 use crate::language::eval::Equals;
 use crate::language::syntax;
+use crate::session::given::{Given, in_order};
+use crate::session::lines::several::defining;
+use crate::session::{Answer, Failure, Session, defines};
 
 impl Session {
     /// Runs a definition in words, and what is asked after it in the same statement; `None` if there is none.
-    pub(super) fn run_clause(
+    pub(in crate::session) fn run_clause(
         &mut self,
         file: &SourceFile,
         whole: Span,
@@ -37,7 +37,7 @@ impl Session {
             let defined = there.evaluated(file, define(formula), Equals::DefinesUnbound, false)?;
             let mut answers = there.run_part(file, rest, equals)?;
             if let Some(first) = answers.first_mut() {
-                first.outcome.notes.insert(0, super::read_as(&defined.statement, head));
+                first.outcome.notes.insert(0, crate::session::read_as(&defined.statement, head));
             }
             self.env = there.env;
             return Ok(Some(answers));
@@ -51,7 +51,7 @@ impl Session {
 
 impl Session {
     /// Runs a formula under a definition in words that follows it: `f(0, 1) where f is the polar form of t^2`.
-    pub(super) fn run_where(
+    pub(in crate::session) fn run_where(
         &mut self,
         file: &SourceFile,
         whole: Span,
@@ -73,13 +73,13 @@ impl Session {
         };
         let mut answers = there.run_part(&masked, head, equals)?;
         if let (Some(first), Some(definition)) = (answers.first_mut(), defined.first()) {
-            first.outcome.notes.insert(0, super::read_as(&definition.statement, rest));
+            first.outcome.notes.insert(0, crate::session::read_as(&definition.statement, rest));
         }
         Ok(Some(answers))
     }
 
     /// Runs definitions by formulas, and what words ask for after them: `F(t) = t^2, what is F(2)?`.
-    pub(super) fn run_continued(
+    pub(in crate::session) fn run_continued(
         &mut self,
         file: &SourceFile,
         whole: Span,
@@ -132,7 +132,7 @@ impl Session {
     }
 
     /// Runs what is asked for with words such as "compute" and "show that".
-    pub(super) fn run_asked(
+    pub(in crate::session) fn run_asked(
         &mut self,
         file: &SourceFile,
         whole: Span,

@@ -14,7 +14,7 @@ use crate::math::ring::Field;
 const MOST: usize = 400;
 
 /// The claim refuted by each point at which it fails, whether the conditions hold there or not.
-pub(super) fn refutations<'a>(
+pub(in crate::session) fn refutations<'a>(
     judgement: &'a Judgement,
     conditions: &'a [Judgement],
 ) -> impl Iterator<Item = Judgement> + 'a {

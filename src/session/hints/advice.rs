@@ -3,7 +3,6 @@
 
 use std::collections::BTreeSet;
 
-use super::{Failure, Session, defines, guarded, read_in};
 use crate::budget::Limits;
 use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::formula::{Expr, Kind, call};
@@ -15,6 +14,7 @@ use crate::language::lexicon::phrases::{self, Label, Phrase, phrase};
 use crate::language::lexicon::topics::{self, Advice};
 use crate::language::lexicon::{asking, words};
 use crate::language::write;
+use crate::session::{Failure, Session, defines, guarded, read_in};
 
 /// How many queries are proposed.
 const MOST: usize = 3;
@@ -50,7 +50,12 @@ struct Words {
 
 impl Session {
     /// A failure of a text in words, with advice in place of what a formula would need.
-    pub(super) fn advised(&self, file: &SourceFile, whole: Span, failure: Box<Failure>) -> Box<Failure> {
+    pub(in crate::session) fn advised(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        failure: Box<Failure>,
+    ) -> Box<Failure> {
         let of_words = matches!(
             failure.problem.code,
             Code::UnknownName
@@ -204,7 +209,7 @@ impl Session {
     }
 
     /// A failure for want of an argument, with what may be said besides: maximum of t^2 — on [0, 1].
-    pub(super) fn with_what_is_missing(
+    pub(in crate::session) fn with_what_is_missing(
         &self,
         file: &SourceFile,
         whole: Span,

@@ -1,7 +1,6 @@
 //! An object that words describe, and then questions about it: `quadratic spline, knots 0, 0, 0, 1, 1, 1, control points 1, 2, 4;
 //! s(1/3) = ?`, `the blossom of t^2 and its value at (1, 2)`.
 
-use super::{Answer, Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, call};
 use crate::language::diagnostic::Code;
@@ -10,9 +9,10 @@ use crate::language::functions::function_called;
 use crate::language::lexicon::{asking, wanted};
 use crate::language::syntax;
 use crate::language::value::Value;
+use crate::session::{Answer, Failure, Session, defines};
 
 /// A question about an object: the formula that answers it, and where it stands.
-pub(super) type Question = (Expr, Span);
+pub(in crate::session) type Question = (Expr, Span);
 
 /// At how many places a text is cut at most.
 const PLACES: usize = 12;
@@ -22,7 +22,7 @@ const MOST: usize = 4;
 
 impl Session {
     /// Answers what is asked about an object that words describe; `None` if the text is something else.
-    pub(super) fn run_described(
+    pub(in crate::session) fn run_described(
         &mut self,
         file: &SourceFile,
         whole: Span,
@@ -37,7 +37,7 @@ impl Session {
     }
 
     /// The questions about an object that words describe before them.
-    pub(super) fn described(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
+    pub(in crate::session) fn described(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
         let text = file.slice(whole);
         if !text.contains(char::is_alphabetic) {
             return None;
@@ -65,7 +65,11 @@ impl Session {
     }
 
     /// The same, where the answer to the description is asked for, too: the polar form of t^3 and its value at (0, 1, 2).
-    pub(super) fn described_and_asked(&self, file: &SourceFile, whole: Span) -> Option<Vec<Question>> {
+    pub(in crate::session) fn described_and_asked(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+    ) -> Option<Vec<Question>> {
         let text = file.slice(whole);
         let (end, start) = wanted::and_its(text)?;
         let head = Span::new(whole.start, whole.start + end);

@@ -7,7 +7,10 @@ use crate::language::eval;
 use crate::language::write;
 
 /// Refuses ℝ where a number is wanted; what a relation such as ∈ is about, and indices, are no numbers.
-pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
+pub(in crate::session) fn set_of_numbers(
+    statement: &Expr,
+    known: &dyn Fn(&str) -> bool,
+) -> Option<Diagnostic> {
     let set = |expr: &Expr| match &expr.kind {
         Kind::Accent(Accent::Blackboard, letter) => {
             matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "N" | "Z" | "Q" | "R" | "C") && !known(name))
@@ -36,7 +39,7 @@ pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> 
 }
 
 /// Tells of a Bernstein polynomial whose number is larger than its degree: it is 0, and the degree goes before the number here.
-pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
+pub(in crate::session) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
     if let Kind::Apply(callee, groups) = &statement.kind
         && let (Kind::Name(name), Some([degree, number, rest @ ..])) =
             (&callee.kind, groups.first().map(Vec::as_slice))
@@ -65,7 +68,11 @@ pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
 }
 
 /// Tells that b[0, 1/2, 1] is a divided difference where b is a function that may be a curve, whose polar values some write so.
-pub(super) fn differences(statement: &Expr, is_function: &dyn Fn(&str) -> bool, notes: &mut Vec<Diagnostic>) {
+pub(in crate::session) fn differences(
+    statement: &Expr,
+    is_function: &dyn Fn(&str) -> bool,
+    notes: &mut Vec<Diagnostic>,
+) {
     if let Kind::Subscript(base, index) = &statement.kind
         && let (Kind::Name(name), [Expr { kind: Kind::List(nodes), .. }]) = (&base.kind, index.as_slice())
         && nodes.len() > 1
@@ -83,7 +90,7 @@ pub(super) fn differences(statement: &Expr, is_function: &dyn Fn(&str) -> bool, 
 }
 
 /// Adds the remarks on a statement that was read from a file.
-pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
+pub(in crate::session) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
     if let Some(note) = of_part(statement, file)
         && !notes.iter().any(|known| known.message == note.message)
     {

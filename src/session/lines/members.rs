@@ -1,18 +1,18 @@
 //! Members of a family without their argument, beside others: `B_0^2 + B_1^2 + B_2^2 = 1` is about the polynomials.
 
-use super::{Session, defines};
 use crate::formula::{Expr, Kind, Rel, applied};
 use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::{families, roles};
 use crate::language::write;
+use crate::session::{Session, defines};
 
 impl Session {
     /// A statement whose members of families have their argument, and a remark on it.
     ///
     /// All of them are read so or none: each has integers i and n with 0 <= i <= n, and there are two different ones, or one is
     /// claimed to be something or handed to a function, for B_1^2 by itself may be a power.
-    pub(super) fn with_members_called(&self, statement: Expr) -> (Expr, Option<Diagnostic>) {
+    pub(in crate::session) fn with_members_called(&self, statement: Expr) -> (Expr, Option<Diagnostic>) {
         let mut found = Members { env: &|name| defines(&self.env, name), ..Members::default() };
         found.gather(&statement);
         // B_0^2 = (1 - t)^2

@@ -1,6 +1,5 @@
 //! A function that linear conditions determine: values, derivatives, polar values.
 
-use super::{Answer, Failure, Session, defines, guarded, items_in, read_as};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
 use crate::judge::written::names::bases;
@@ -9,6 +8,7 @@ use crate::language::eval::Equals;
 use crate::language::functions::function_called;
 use crate::language::syntax::{self, Unknown};
 use crate::language::value::Value;
+use crate::session::{Answer, Failure, Session, defines, guarded, items_in, read_as};
 
 /// A value of a derivative, or of a polar form.
 struct Condition {
@@ -55,7 +55,7 @@ impl Condition {
 
 impl Session {
     /// Answers what is asked about a function that is given by conditions; `None` if nothing of the kind is said.
-    pub(super) fn run_unknown(
+    pub(in crate::session) fn run_unknown(
         &mut self,
         file: &SourceFile,
         whole: Span,

@@ -1,11 +1,11 @@
 //! What may stand for a word that has been begun.
 
-use super::Session;
 use crate::language::functions::BUILTINS;
 use crate::language::latex;
 use crate::language::lexicon::letters;
 use crate::language::value::symbol_expr;
 use crate::language::write::text;
+use crate::session::Session;
 
 /// A word that may stand in the place of another.
 #[derive(Clone, Debug, PartialEq, Eq)]

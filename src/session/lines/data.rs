@@ -3,14 +3,14 @@
 
 use std::collections::BTreeMap;
 
-use super::given::{Given, in_order};
-use super::{Answer, Failure, Session, defines, read_as, spoken};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Link, Rel, call};
 use crate::judge::written::names::bases;
 use crate::language::eval::Equals;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
+use crate::session::given::{Given, in_order};
+use crate::session::{Answer, Failure, Session, defines, read_as, spoken};
 
 /// What is asked, and what is given for it.
 struct Data {
@@ -229,7 +229,7 @@ fn curve_of(question: &Expr, letter: &str, points: &[Expr]) -> Option<Expr> {
 impl Session {
     /// Answers a question whose data stand beside it; `None` if the line is something else. If `asked`, its last part
     /// has a question mark.
-    pub(super) fn run_data(
+    pub(in crate::session) fn run_data(
         &mut self,
         file: &SourceFile,
         statement: &Expr,

@@ -1,19 +1,19 @@
 //! Calls by names that other programs may have: `splitBezier({0, 4, 4, 0}, 1/2)`, `deBoor(2, knots, points, u=1/2)`. The words of
 //! the name tell the function, the kinds of the arguments where they belong.
 
-use super::{Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::eval;
 use crate::language::functions::{Builtin, Takes, builtin, function_called, function_in_words};
 use crate::language::lexicon::phrases::{Phrase, phrase};
 use crate::language::lexicon::roles;
+use crate::session::{Session, defines};
 
-use super::foreign::as_list;
+use crate::session::foreign::as_list;
 
 impl Session {
     /// The call that is meant by a statement that is one of an unknown function.
-    pub(super) fn called_in_words(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
+    pub(in crate::session) fn called_in_words(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
         let text = file.slice(whole).trim_start();
         let name: &str = text.split('(').next().filter(|name| name.len() < text.len())?.trim_end();
         let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');

@@ -1,16 +1,16 @@
 //! Claims about signs on a region, answered by what shows them: `prove t^2 - t + 1 >= 0 on [0, 1]` is `positivity(t^2 - t + 1, 0, 1)`.
 
-use super::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call};
 use crate::language::eval::{Equals, Outcome};
 use crate::language::lexicon::signs::{self, Shape, SignClaim};
 use crate::language::syntax::{self, Sentence};
 use crate::language::value::{Value, symbol_expr};
+use crate::session::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 
 impl Session {
     /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
-    pub(super) fn certified(
+    pub(in crate::session) fn certified(
         &self,
         file: &SourceFile,
         whole: Span,
@@ -81,7 +81,7 @@ impl Session {
     }
 
     /// Judges what is said of the sign of a function, as the relation that says it: `t^2 + 1 is positive for all t`.
-    pub(super) fn run_relation(
+    pub(in crate::session) fn run_relation(
         &mut self,
         file: &SourceFile,
         whole: Span,

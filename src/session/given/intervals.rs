@@ -1,15 +1,15 @@
 //! Half-open intervals where conditions stand: `t in [0, 1)`, `on (0, 1]`. Elsewhere such brackets are a slip.
 
-use super::Session;
 use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::formula::{Expr, Rel, applied};
+use crate::session::Session;
 
 /// Words and signs before an interval to which something belongs.
 const IN: &[&str] = &[" in", "∈", " aus", " dans"];
 
 impl Session {
     /// An interval, or that a name runs through one; `None` if the brackets are no interval.
-    pub(super) fn half_open(&self, file: &SourceFile, span: Span) -> Option<Expr> {
+    pub(in crate::session) fn half_open(&self, file: &SourceFile, span: Span) -> Option<Expr> {
         let text = file.slice(span);
         let inner = text.trim_end();
         let closed = inner.strip_suffix([')', ']', '['])?;

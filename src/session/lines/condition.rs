@@ -1,16 +1,16 @@
 //! A name that is asked for by what words say of an object: `find b_1 such that the quadratic 1, b_1, 3 has the value 2 at 1/2`,
 //! `which c_1, c_2 make 0, 1, 2 and 2, c_1, c_2 join C^2?`
 
-use super::{Answer, Failure, Session};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::judge::written::names::bases;
 use crate::language::eval::Equals;
 use crate::language::lexicon::{roles, wanted};
+use crate::session::{Answer, Failure, Session};
 
 impl Session {
     /// Solves what words say for the names that are asked for; `None` if the text is no such question.
-    pub(super) fn run_condition(
+    pub(in crate::session) fn run_condition(
         &mut self,
         file: &SourceFile,
         whole: Span,

@@ -1,10 +1,11 @@
 //! Equations between a brace, `\begin{cases} x + y = 3 \\ x y = 2 \end{cases}`: a system, which is solved.
 
-use super::{Answer, Failure, Session, read_as};
 use crate::formula::source::SourceFile;
-use crate::formula::{Expr, Kind, Link, Rel, call};
+use crate::formula::{Expr, Kind, call};
 use crate::judge::values::evaluator;
 use crate::language::eval::Equals;
+use crate::session::given::is_equation;
+use crate::session::{Answer, Failure, Session, read_as};
 
 /// What opens such a brace in LaTeX.
 const BRACES: &[&str] =
@@ -12,7 +13,7 @@ const BRACES: &[&str] =
 
 impl Session {
     /// Solves a statement that is nothing but a system of equations; `None` if it is none, or defines names.
-    pub(super) fn run_system(
+    pub(in crate::session) fn run_system(
         &mut self,
         file: &SourceFile,
         statement: &Expr,
@@ -36,9 +37,4 @@ impl Session {
         answer.outcome.notes.insert(0, note);
         Ok(Some(vec![answer]))
     }
-}
-
-/// Whether it says that two things are equal.
-pub(super) fn is_equation(expr: &Expr) -> bool {
-    matches!(&expr.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]))
 }

@@ -1,9 +1,9 @@
 //! The statements of a file, one after the other; sentences of one line that are read together: `Control points 0, 2, 4. Value at t = 1/2?`
 
-use super::{Answer, Failure, Session};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::eval::Equals;
 use crate::language::syntax;
+use crate::session::{Answer, Failure, Session};
 
 impl Session {
     /// Runs all statements of a file, one after the other, calling `each` after every one.
