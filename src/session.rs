@@ -3,25 +3,11 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
-mod advice;
-mod certified;
-mod clauses;
-mod completion;
-mod condition;
-mod counterexamples;
-mod data;
-mod described;
 mod foreign;
 mod given;
-mod habits;
-mod intervals;
-mod line;
-mod members;
-mod spelling;
+mod hints;
+mod lines;
 mod spoken;
-mod systems;
-mod units;
-mod unknown;
 
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,7 +15,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
-use crate::judge::{asked, doubtful, evaluator};
+use crate::judge::check::asked;
+use crate::judge::values::evaluator;
+use crate::judge::written::ambiguous;
 use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
@@ -39,8 +27,8 @@ use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
 
-pub use completion::{Candidate, completions};
 pub use given::Conditions;
+pub use hints::completion::{Candidate, completions};
 
 /// A statement that failed, with the text it was read from.
 #[derive(Clone, Debug)]
@@ -323,20 +311,22 @@ impl Session {
         let (with_arguments, remark) = self.with_members_called(statement);
         statement = with_arguments;
         let known = |name: &str| defines(&self.env, name);
-        if let Some(problem) = spelling::set_of_numbers(&statement, &known) {
+        if let Some(problem) = foreign::spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
-        if let Some(problem) = doubtful::touching_list(&statement) {
+        if let Some(problem) = ambiguous::touching_list(&statement) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
-                doubtful::products(&statement, latex, &mut outcome.notes);
-                spelling::remarks(&statement, file, &mut outcome.notes);
+                ambiguous::products(&statement, latex, &mut outcome.notes);
+                foreign::spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
-                spelling::differences(&statement, &function, &mut outcome.notes);
+                foreign::spelling::differences(&statement, &function, &mut outcome.notes);
                 outcome.notes.extend(remark);
-                outcome.notes.extend(spelling::degree_last(&statement, &|name| defines(&self.env, name)));
+                outcome
+                    .notes
+                    .extend(foreign::spelling::degree_last(&statement, &|name| defines(&self.env, name)));
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.

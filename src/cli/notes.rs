@@ -19,7 +19,7 @@ use super::output::{Output, shown};
 use super::watch::Watch;
 use crate::document::{Container, Reading, read_macros, read_string};
 use crate::formula::source::SourceFile;
-use crate::judge::finding::{FileReport, Verdict};
+use crate::judge::page::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::write::Format;
 use crate::notes::report::{

@@ -24,7 +24,7 @@ use toml::de::{DeTable, DeValue};
 use super::argument_reader::Failed;
 use crate::document::read_string;
 use crate::formula::source::{SourceFile, Span};
-use crate::judge::finding::{FileReport, Finding};
+use crate::judge::page::finding::{FileReport, Finding};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::notes::report::{Rule, fingerprints};
 use crate::session::Failure;

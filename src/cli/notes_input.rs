@@ -12,7 +12,7 @@ use rayon::{ThreadPool, prelude::*};
 
 use crate::document::{Container, Document, Reading, read_files, read_stream, read_text};
 use crate::formula::source::SourceFile;
-use crate::judge::finding::FileReport;
+use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::notes::report::{Fix, fixes};
 

@@ -12,9 +12,9 @@ use super::page::Options;
 use super::statement::statements;
 use crate::document::Document;
 use crate::formula::source::Span;
-use crate::judge::check::Checker;
-use crate::judge::finding::{FileReport, Finding};
-use crate::judge::statement::{Place, Said, Statement};
+use crate::judge::known::checker::Checker;
+use crate::judge::page::finding::{FileReport, Finding};
+use crate::judge::page::statement::{Place, Said, Statement};
 use crate::language::diagnostic::Diagnostic;
 
 /// States are kept of so many places of a page.

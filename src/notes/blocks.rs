@@ -6,8 +6,8 @@ use std::rc::Rc;
 
 use super::speech::{self, Block};
 use crate::formula::Rel;
-use crate::judge::names::{Head, bases};
-use crate::judge::statement::{Chain, Place, Role, Said, Statement};
+use crate::judge::page::statement::{Chain, Place, Role, Said, Statement};
+use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
 use crate::language::write;
 

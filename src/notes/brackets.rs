@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use super::primes::each;
 use crate::formula::source::SourceFile;
 use crate::formula::{Accent, Expr, Kind, bracketed};
-use crate::judge::names::{Head, underived, walk};
-use crate::judge::statement::Statement;
-use crate::judge::topic::Topic;
+use crate::judge::page::statement::Statement;
+use crate::judge::page::topic::Topic;
+use crate::judge::written::names::{Head, underived, walk};
 
 /// Reads a bracket after a letter as arguments where the page, or a section with that letter, speaks of polar forms
 /// and not of divided differences. A letter that is applied with parentheses, too, gets another name with brackets.

@@ -2,8 +2,8 @@
 
 use super::speech::{self, Around};
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
-use crate::judge::names::Head;
-use crate::judge::statement::{Role, Said, Statement};
+use crate::judge::page::statement::{Role, Said, Statement};
+use crate::judge::written::names::Head;
 use crate::language::latex;
 
 /// (−1)^n = −1 for an odd n, (−1)^n = 1 for an even one.

@@ -2,8 +2,8 @@
 
 use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel, interval};
-use crate::judge::names::{Head, bases, contains, is_index_letter, is_range, walk};
-use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
+use crate::judge::page::statement::{Chain, Role, Said, Side, Statement, links};
+use crate::judge::written::names::{Head, bases, contains, is_index_letter, is_range, walk};
 use crate::language::lexicon::roles::is_variable;
 
 /// Words after which conditions follow.

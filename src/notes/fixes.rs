@@ -10,7 +10,7 @@
 use crate::document::{Document, Item, Style};
 use crate::formula::Expr;
 use crate::formula::source::{Pieces, Span, replaced};
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::{latex, syntax, write};
 
 /// A replacement of some bytes of a file.

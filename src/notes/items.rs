@@ -3,7 +3,7 @@
 use super::conditions::is_condition;
 use super::speech;
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::names::{bases, is_index_letter};
+use crate::judge::written::names::{bases, is_index_letter};
 
 /// t_0, …, t_3 = 0, 0, 1, 1: one list equals the other.
 fn listed_values(items: &[Expr]) -> Option<Expr> {

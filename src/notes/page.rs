@@ -3,9 +3,8 @@
 use super::statement::statements;
 use crate::budget::Limits;
 use crate::document::Document;
-use crate::judge::check::{blank, of_side};
-use crate::judge::finding::{FileReport, Finding, Verdict};
-use crate::judge::statement::Said;
+use crate::judge::page::finding::{FileReport, Finding, Verdict, blank, of_side};
+use crate::judge::page::statement::Said;
 
 /// What to check with.
 #[derive(Clone, Debug, Default)]

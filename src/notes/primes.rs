@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind};
-use crate::judge::names::walk;
-use crate::judge::statement::{Said, Statement};
+use crate::judge::page::statement::{Said, Statement};
+use crate::judge::written::names::walk;
 
 /// Reads a prime on a name with an index as a mark, if the page applies its letter to nothing: it is no derivative.
 ///

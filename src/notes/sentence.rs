@@ -13,8 +13,8 @@ use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::names::{Head, bases};
-use crate::judge::statement::{Chain, Role, Said, Statement, links};
+use crate::judge::page::statement::{Chain, Role, Said, Statement, links};
+use crate::judge::written::names::{Head, bases};
 
 /// Gives every statement its role and every claim the cases of its sentence.
 ///

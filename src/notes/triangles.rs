@@ -7,8 +7,8 @@
 use crate::document::Document;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::bases;
-use crate::judge::statement::{Side, Triangle};
+use crate::judge::page::statement::{Side, Triangle};
+use crate::judge::written::names::bases;
 use crate::language::{latex, syntax};
 
 type Cell = Option<Side>;

@@ -1,8 +1,10 @@
-//! Calls as other systems have them, `D[t^3, t]`, `add(k^2, k = 1..5)` and `linspace(0, 1, 5)`, as calls of the functions here.
+//! Calls as other systems have them, `D[t^3, t]`, `add(k^2, k = 1..5)` and `linspace(0, 1, 5)`, as calls of the functions here,
+//! and spellings that have another meaning elsewhere.
 
 mod points;
 mod ranges;
 pub(super) mod scripts;
+pub(super) mod spelling;
 mod spellings;
 mod templates;
 

@@ -5,16 +5,19 @@
 //! `a - b = 0` makes a the same as b. Other conditions are kept: a counterexample counts only where
 //! they hold.
 
+mod counterexamples;
+mod intervals;
+
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::counterexamples::refutations;
 use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Enclosure, Expr, Kind, Link, Rel, call, interval, named, spread};
-use crate::judge::inequality::{decided_in, positive};
-use crate::judge::names::{Head, bases};
-use crate::judge::{asked, evaluator};
+use crate::judge::check::asked;
+use crate::judge::values::evaluator;
+use crate::judge::values::inequality::{decided_in, positive};
+use crate::judge::written::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals};
 use crate::language::functions::builtin;
@@ -24,6 +27,7 @@ use crate::language::value::{Claim, Judgement, Value, Verdict};
 use crate::language::write;
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
+use crate::session::given::counterexamples::refutations;
 use num_traits::Signed;
 
 /// A definition or a condition, where it stands.
@@ -611,4 +615,9 @@ fn unused(answer: &Answer) -> Box<Failure> {
         .hint("write it as a definition, for example a := 1 - b")
         .hint(format!("solve({}) gives the values for which it holds", write::text(&answer.statement)));
     Box::new(Failure { problem, file: answer.file.clone() })
+}
+
+/// Whether it says that two things are equal.
+pub(super) fn is_equation(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]))
 }

@@ -1,11 +1,12 @@
 //! Requests in words as calls of functions: `derivative of t^3 at t = 2` is `subs(derivative(t^3), t=2)`.
 //!
 //! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
-//! are put into the result.
+//! are put into the result. Calls by names that other programs may have are requests, too (`habits`).
 
 mod applied;
 mod apposition;
 mod draft;
+mod habits;
 mod knots;
 mod laws;
 mod lists;

@@ -85,6 +85,32 @@ pub fn files(tree: &Tree) -> BTreeMap<&str, BTreeSet<&str>> {
     needs
 }
 
+/// Which file calls methods that stand in which others, for each type with methods in more than one: a method that is
+/// called by `self` needs no import.
+pub fn by_methods(tree: &Tree) -> BTreeMap<String, BTreeMap<&str, BTreeSet<&str>>> {
+    let full = |module: &[String], of: &Names| {
+        let name = of.last()?;
+        Some([home(tree, module, of)?.as_slice(), slice::from_ref(name)].concat().join("::"))
+    };
+    let mut stand: BTreeMap<(String, &str), BTreeSet<&str>> = BTreeMap::new();
+    for (names, module) in tree {
+        for (of, method) in &module.methods {
+            let Some(of) = full(names, of) else { continue };
+            stand.entry((of, method)).or_default().insert(&module.file);
+        }
+    }
+    let mut needs: BTreeMap<String, BTreeMap<&str, BTreeSet<&str>>> = BTreeMap::new();
+    for (names, module) in tree {
+        for (of, method) in &module.calls {
+            let Some(of) = full(names, of) else { continue };
+            let others = stand.get(&(of.clone(), method.as_str())).into_iter().flatten();
+            let others = others.filter(|other| **other != module.file);
+            needs.entry(of).or_default().entry(&module.file).or_default().extend(others);
+        }
+    }
+    needs
+}
+
 /// Groups of files each of which needs, by way of others, all of its group; the largest first.
 pub fn circles<'a>(needs: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> Vec<Vec<&'a str>> {
     // Kosaraju: files in the order in which they are left, then backwards over the reversed graph.

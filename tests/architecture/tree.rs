@@ -6,7 +6,7 @@ use std::path::Path;
 
 use syn::buffer::{Cursor, TokenBuffer};
 use syn::visit::{self, Visit};
-use syn::{Item, ItemMod, ItemUse, Macro, Meta, UseTree, VisRestricted, Visibility};
+use syn::{ImplItem, Item, ItemImpl, ItemMod, ItemUse, Macro, Meta, UseTree, VisRestricted, Visibility};
 
 /// The sources below a folder, by their path in it.
 pub type Sources = BTreeMap<String, String>;
@@ -24,8 +24,12 @@ pub struct Module {
     pub imported: BTreeMap<String, Vec<Names>>,
     /// What `use …::*` brings.
     pub globs: Vec<Names>,
-    /// Every path, in code, in `use` and in macros.
+    /// Every path, in code, in `use`, in macros and attributes; links of the documentation import nothing.
     pub references: BTreeSet<Reference>,
+    /// The methods that stand here, each with the path of its type as written.
+    pub methods: BTreeSet<Method>,
+    /// Methods of their own type that these call, by `self.name()` or `Self::name()`.
+    pub calls: BTreeSet<Method>,
 }
 
 /// A path as it is written.
@@ -35,6 +39,9 @@ pub struct Reference {
     /// By `pub use`: a name for others, not for the module's own code.
     pub passed_on: bool,
 }
+
+/// A type as written, and the name of a method.
+pub type Method = (Names, String);
 
 /// All modules of a crate by their names from the root.
 pub type Tree = BTreeMap<Names, Module>;
@@ -73,7 +80,7 @@ pub fn tree(sources: &Sources) -> Tree {
 /// Reads a file, the text of a module; gives the modules it declares.
 pub fn add(tree: &mut Tree, file: &str, text: &str, module: Names, folder: String) -> Vec<Declared> {
     let parsed = syn::parse_file(text).unwrap_or_else(|error| panic!("{file}: {error}"));
-    let mut reader = Reader { tree, file: file.to_owned(), module, folder, elsewhere: Vec::new() };
+    let mut reader = Reader { tree, file: file.to_owned(), module, folder, own: None, elsewhere: Vec::new() };
     reader.here();
     reader.visit_file(&parsed);
     reader.elsewhere
@@ -107,6 +114,8 @@ struct Reader<'a> {
     module: Names,
     /// Where the files of the modules declared here lie.
     folder: String,
+    /// The type of the `impl` that is read.
+    own: Option<Names>,
     elsewhere: Vec<Declared>,
 }
 
@@ -119,6 +128,12 @@ impl Reader<'_> {
 
     fn refers(&mut self, names: Names, passed_on: bool) {
         self.here().references.insert(Reference { names, passed_on });
+    }
+
+    fn calls(&mut self, method: &syn::Ident) {
+        if let Some(own) = self.own.clone() {
+            self.here().calls.insert((own, method.to_string()));
+        }
     }
 
     fn uses(&mut self, before: &[String], tree: &UseTree, passed_on: bool) {
@@ -149,12 +164,18 @@ impl Reader<'_> {
         let mut names = before.to_vec();
         // 2 after `::`, 1 after `:`
         let mut colons = 0;
+        let mut of_self = false;
         while !at.eof() {
             let ident = at.ident();
             let colon = at.punct().filter(|(punct, _)| punct.as_char() == ':' && colons < 2);
             if names.len() > before.len() && colons != 2 && colon.is_none() {
                 self.refers(std::mem::replace(&mut names, before.to_vec()), false);
             }
+            let dot = at.punct().filter(|(punct, _)| punct.as_char() == '.').map(|(_, rest)| rest);
+            if let Some((method, _)) = dot.filter(|_| of_self).and_then(Cursor::ident) {
+                self.calls(&method);
+            }
+            of_self = ident.as_ref().is_some_and(|(ident, _)| ident == "self");
             if let Some((ident, rest)) = ident {
                 names.push(ident.to_string());
                 (at, colons) = (rest, 0);
@@ -229,6 +250,12 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 
     fn visit_path(&mut self, path: &'ast syn::Path) {
+        let names: Vec<&syn::Ident> = path.segments.iter().map(|segment| &segment.ident).collect();
+        if let [own, method] = names.as_slice()
+            && *own == "Self"
+        {
+            self.calls(method);
+        }
         if path.leading_colon.is_none() {
             self.refers(path.segments.iter().map(|segment| segment.ident.to_string()).collect(), false);
         }
@@ -240,8 +267,41 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         self.tokens(&[], TokenBuffer::new2(item.tokens.clone()).begin());
     }
 
+    fn visit_item_impl(&mut self, item: &'ast ItemImpl) {
+        let own = match &*item.self_ty {
+            syn::Type::Path(path) => path.path.segments.iter().map(|part| part.ident.to_string()).collect(),
+            _ => Names::new(),
+        };
+        let outer = self.own.replace(own.clone());
+        for part in &item.items {
+            if let ImplItem::Fn(function) = part {
+                self.here().methods.insert((own.clone(), function.sig.ident.to_string()));
+            }
+        }
+        visit::visit_item_impl(self, item);
+        self.own = outer;
+    }
+
+    fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+        if matches!(&*call.receiver, syn::Expr::Path(path) if path.path.is_ident("self")) {
+            self.calls(&call.method);
+        }
+        visit::visit_expr_method_call(self, call);
+    }
+
     /// `pub(crate)` imports nothing.
     fn visit_vis_restricted(&mut self, _: &'ast VisRestricted) {}
 
-    fn visit_attribute(&mut self, _: &'ast syn::Attribute) {}
+    /// Paths in attributes; a single name, as in `derive(Clone)` or `cfg(test)`, is none.
+    fn visit_attribute(&mut self, attribute: &'ast syn::Attribute) {
+        match &attribute.meta {
+            Meta::NameValue(pair) => self.visit_expr(&pair.value),
+            Meta::List(list) => {
+                let before = self.here().references.clone();
+                self.tokens(&[], TokenBuffer::new2(list.tokens.clone()).begin());
+                self.here().references.retain(|one| one.names.len() > 1 || before.contains(one));
+            }
+            Meta::Path(_) => {}
+        }
+    }
 }

@@ -8,7 +8,7 @@ use lsp_types::{
 
 use super::checker::Checked;
 use crate::formula::source::Span;
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 use crate::notes::report::{Fix, Rule, fixes, message};
 

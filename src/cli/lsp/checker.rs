@@ -14,7 +14,7 @@ use crate::budget::Limits;
 use crate::cli::notes_config::Config;
 use crate::document::{Container, Document, Reading, read_files, read_macros, read_string, read_text};
 use crate::formula::source::SourceFile;
-use crate::judge::finding::FileReport;
+use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::notes::{Memory, Options, check_again};
 

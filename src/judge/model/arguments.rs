@@ -2,8 +2,8 @@
 
 use super::{Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::Sort;
+use crate::judge::page::object::Sort;
+use crate::judge::written::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::value::Value;

@@ -2,9 +2,9 @@
 
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
-use crate::judge::context::{Body, Definition, Source, is_variable};
-use crate::judge::names::{Head, bases, is_extreme, is_index_letter};
-use crate::judge::object::Sort;
+use crate::judge::page::context::{Body, Definition, Source, is_variable};
+use crate::judge::page::object::Sort;
+use crate::judge::written::names::{Head, bases, is_extreme, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::{families, roles};
@@ -395,9 +395,9 @@ impl Model {
             values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
         let at = at.filter(|_| defined)?;
         let value = self.defined(machine, &plain, None)?.ok()?;
-        let mut variables: Vec<Symbol> = crate::judge::values::symbols(&value)
+        let mut variables: Vec<Symbol> = crate::judge::values::equality::symbols(&value)
             .into_iter()
-            .filter(|symbol| symbol.is_plain() && crate::judge::context::is_variable(symbol.base()))
+            .filter(|symbol| symbol.is_plain() && crate::judge::page::context::is_variable(symbol.base()))
             .collect();
         variables.sort();
         if variables.len() != at.len() {

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Rel, Sign};
-use crate::judge::context::{Body, Condition, Definition, Source};
-use crate::judge::names::{Head, bases, capital_of, integer_names, is_capital, is_index_letter, walk};
-use crate::judge::refute::calls;
+use crate::judge::page::context::{Body, Condition, Definition, Source};
+use crate::judge::written::names::{
+    Head, bases, calls, capital_of, integer_names, is_capital, is_index_letter, walk,
+};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::{families, roles};
@@ -121,7 +122,7 @@ impl Model {
     fn is_of_functions(&self, definition: &Definition, bound: &Bound) -> bool {
         let Body::Formula(body) = &definition.body else { return false };
         let function = |value: &Value| match value {
-            Value::Scalar(_) => crate::judge::compare::symbols(value).iter().any(|symbol| {
+            Value::Scalar(_) => crate::judge::values::compare::symbols(value).iter().any(|symbol| {
                 *value == Value::symbol(symbol.clone()) && self.context.letters.is_function(symbol.base())
             }),
             _ => true,
@@ -524,7 +525,7 @@ impl Model {
 
 /// Whether a value is a name: that of a pattern, or C_4 for C_n, where n gets its value.
 fn match_name(pattern: &Head, value: &Value, bound: &mut Bound) -> Option<usize> {
-    let symbols = crate::judge::values::symbols(value);
+    let symbols = crate::judge::values::equality::symbols(value);
     let [symbol] = symbols.iter().collect::<Vec<_>>()[..] else { return None };
     if *value != Value::symbol(symbol.clone()) {
         return None;

@@ -5,7 +5,7 @@ use super::calls::unclear;
 use super::dots::run;
 use super::steps::not_yet_named;
 use crate::formula::{Accent, Expr, Kind};
-use crate::judge::names::{Head, walk};
+use crate::judge::written::names::{Head, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::value::Value;

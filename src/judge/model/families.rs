@@ -2,7 +2,7 @@
 
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign};
-use crate::judge::names::Head;
+use crate::judge::written::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::{self, Family};

@@ -2,8 +2,8 @@
 
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::context::{Body, Definition};
-use crate::judge::names::{Head, integer_names};
+use crate::judge::page::context::{Body, Definition};
+use crate::judge::written::names::{Head, integer_names};
 use crate::language::eval::Machine;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;

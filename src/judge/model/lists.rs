@@ -3,8 +3,8 @@
 use super::calls::each;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{Head, bases, is_index_letter};
-use crate::judge::object::Object;
+use crate::judge::page::object::Object;
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;

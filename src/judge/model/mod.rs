@@ -27,11 +27,11 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use super::context::{Context, Definition};
-use super::names::{Head, symbol_of};
-use super::roots;
-use super::statement::Place;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel, interval};
+use crate::judge::page::context::{Context, Definition};
+use crate::judge::page::statement::{Curve, Place};
+use crate::judge::values::roots;
+use crate::judge::written::names::{Head, symbol_of};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
 use crate::language::lexicon::{letters, roles};
@@ -159,13 +159,6 @@ pub enum Ambiguity {
     Dots,
     /// q(2t - 1).
     Applied,
-}
-
-/// The curve that a sentence speaks of.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Curve {
-    /// The letter of its control points.
-    pub points: String,
 }
 
 /// One instance of a statement.

@@ -4,8 +4,8 @@
 use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel, Sign, Term};
-use crate::judge::context::Body;
-use crate::judge::names::{Head, implied_index, is_star, walk};
+use crate::judge::page::context::Body;
+use crate::judge::written::names::{Head, implied_index, is_star, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;

@@ -7,10 +7,10 @@ use std::rc::Rc;
 
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::context::{Body, is_variable};
-use crate::judge::inequality::is_unit;
-use crate::judge::names::{Head, bases, is_capital, is_index_letter};
-use crate::judge::object::{Declared, Object, Sort};
+use crate::judge::page::context::{Body, is_variable};
+use crate::judge::page::object::{Declared, Object, Sort};
+use crate::judge::values::inequality::is_unit;
+use crate::judge::written::names::{Head, bases, is_capital, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::{families, roles};

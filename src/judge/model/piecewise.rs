@@ -6,9 +6,9 @@
 use super::calls::unclear;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel, interval};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::Object;
-use crate::judge::values;
+use crate::judge::page::object::Object;
+use crate::judge::values::equality;
+use crate::judge::written::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -123,7 +123,7 @@ impl Model {
     pub(super) fn numbered_knots(&self, knots: &[Value]) -> Option<Vec<Rational>> {
         let number = |knot: &Value| match knot.as_rational() {
             Some(knot) => Some(knot),
-            None => match values::symbols(knot).iter().collect::<Vec<_>>().as_slice() {
+            None => match equality::symbols(knot).iter().collect::<Vec<_>>().as_slice() {
                 [only] => match only.indices() {
                     [Index::Number(j)] => Some(self.knot(*j)),
                     _ => None,

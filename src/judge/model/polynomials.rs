@@ -4,8 +4,8 @@ use super::calls::{each, unclear, variable};
 use super::objects::polar_arguments;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{Head, capital_of, is_capital, polar_names};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, capital_of, is_capital, polar_names};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -125,8 +125,9 @@ impl Model {
             return None;
         }
         let (_, definition, _) = self.context.visible(&capital, &self.place).next()?;
-        let crate::judge::context::Body::Formula(body) = &definition.body else { return None };
-        if definition.head.flat().len() != 1 || !crate::judge::names::integer_names(body).is_empty() {
+        let crate::judge::page::context::Body::Formula(body) = &definition.body else { return None };
+        if definition.head.flat().len() != 1 || !crate::judge::written::names::integer_names(body).is_empty()
+        {
             return None;
         }
         let coefficients = self.coefficients(machine, &capital, expr).ok()?;

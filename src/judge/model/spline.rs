@@ -7,9 +7,9 @@
 use super::calls::{unclear, variable};
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::context::{Body, Definition};
-use crate::judge::names::{Head, walk};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::context::{Body, Definition};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, walk};
 use crate::language::eval::Machine;
 use crate::language::value::Value;
 use crate::math::number::integer;

@@ -1,7 +1,7 @@
 //! Terms and names at the ends of dots: what changes from one end to the other.
 
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
+use crate::judge::written::names::Head;
 use crate::language::eval::Machine;
 
 /// In t_2, t_1, …, t_n the dots do not stand for t_2 again. `list` is what stands for t_1, …, t_n, the

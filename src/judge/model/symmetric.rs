@@ -2,8 +2,8 @@
 
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
-use crate::judge::object::{Object, Symmetric};
+use crate::judge::page::object::{Object, Symmetric};
+use crate::judge::written::names::Head;
 use crate::language::eval::Machine;
 use crate::language::value::Value;
 use crate::math::number::integer;

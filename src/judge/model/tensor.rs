@@ -4,7 +4,7 @@ use super::calls::{each, unclear, variable};
 use super::objects::{PLACE, coefficients_in};
 use super::{Evaluated, Model};
 use crate::formula::Expr;
-use crate::judge::names::{Head, capital_of};
+use crate::judge::written::names::{Head, capital_of};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::value::Value;

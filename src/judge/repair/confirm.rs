@@ -4,9 +4,9 @@
 //! page stands, is green there, and what held before it in the chain still holds.
 
 use crate::formula::{Expr, Rel};
-use crate::judge::check::Checker;
-use crate::judge::finding::Verdict;
-use crate::judge::statement::{Chain, Statement};
+use crate::judge::known::checker::Checker;
+use crate::judge::page::finding::Verdict;
+use crate::judge::page::statement::{Chain, Statement};
 use crate::language::write;
 use std::rc::Rc;
 

@@ -3,8 +3,8 @@
 use super::exchanges::exchanges;
 use super::tidy::tidy;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel, Sign, Term};
-use crate::judge::model::Curve;
-use crate::judge::names::{bases, integer_names, is_index_letter, own_names, walk};
+use crate::judge::page::statement::Curve;
+use crate::judge::written::names::{bases, integer_names, is_index_letter, own_names, walk};
 use crate::math::number::{Rational, integer};
 use num_traits::{One, Signed, Zero};
 

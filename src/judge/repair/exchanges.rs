@@ -3,7 +3,7 @@
 
 use super::edits::at_every_node;
 use crate::formula::{Expr, Kind, Sign, Term};
-use crate::judge::names::{is_index_letter, own_names, walk};
+use crate::judge::written::names::{is_index_letter, own_names, walk};
 
 /// So many arguments of other calls are tried in the place of one.
 const MAX_ARGUMENTS: usize = 6;

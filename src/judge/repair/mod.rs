@@ -17,15 +17,15 @@ pub(super) use self::edits::edits;
 
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::bare::{bare, vanishes};
-use crate::judge::check::Checker;
-use crate::judge::features::{has_call, has_structure};
+use crate::judge::instances::setting::Setting;
+use crate::judge::instances::tally::{Outcomes, Tally};
+use crate::judge::known::checker::Checker;
 use crate::judge::model::Choices;
-use crate::judge::names::{Head, bases, walk};
-use crate::judge::rounding::misprinted;
-use crate::judge::statement::Statement;
-use crate::judge::tally::{Outcomes, Tally};
-use crate::judge::trial::Setting;
+use crate::judge::page::statement::Statement;
+use crate::judge::values::rounding::misprinted;
+use crate::judge::written::bare::{bare, vanishes};
+use crate::judge::written::features::{has_call, has_structure, missing_argument};
+use crate::judge::written::names::{Head, bases, walk};
 use crate::language::write;
 use std::cell::Cell;
 
@@ -69,7 +69,7 @@ pub fn find(
             return false;
         }
         hearings.set(hearings.get() + 1);
-        let short = budget::spent() - start <= crate::judge::trial::share(&checker.limits, 1);
+        let short = budget::spent() - start <= crate::judge::instances::setting::share(&checker.limits, 1);
         short
             && hearings.get() <= HEARINGS
             && checker.confirms(setting.chain, at, [left, right], held, statement)
@@ -103,7 +103,7 @@ pub fn find(
     let value = matches!(right.kind, Kind::Number(_)) && !computed;
     let mut best: Option<Repair> = None;
     for (left, right) in candidates {
-        if budget::spent() - start > crate::judge::trial::share(&checker.limits, 16) {
+        if budget::spent() - start > crate::judge::instances::setting::share(&checker.limits, 16) {
             break;
         }
         budget::steps(64);
@@ -169,7 +169,7 @@ fn is_mostly_true(tally: &Tally) -> bool {
 /// f(t) = … in t_1, …, t_n: the arguments written out.
 fn with_arguments(left: &Expr, right: &Expr) -> Option<Expr> {
     let head = Head::of(left)?;
-    crate::judge::lint::missing_argument(&head, right)?;
+    missing_argument(&head, right)?;
     let Kind::Apply(callee, _) = &left.kind else { return None };
     let arguments = head.flat();
     let base = arguments.first()?;
@@ -196,8 +196,9 @@ fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices
     }
     // The value of the left side, if it is a formula of bearable length.
     let failure = outcomes.tallies[0].fails.last()?;
-    let invented =
-        crate::judge::compare::symbols(&failure.left).iter().any(crate::judge::hypotheses::is_coefficient);
+    let invented = crate::judge::values::compare::symbols(&failure.left)
+        .iter()
+        .any(crate::judge::instances::hypotheses::is_coefficient);
     let crate::language::value::Value::Scalar(value) = &failure.left else { return None };
     let size = value.numerator().len() + value.denominator().len();
     if invented || size > 24 {

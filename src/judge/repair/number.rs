@@ -5,9 +5,9 @@
 
 use super::edits::at_every_node;
 use crate::formula::{Expr, Kind, Term};
-use crate::judge::check::Checker;
+use crate::judge::instances::setting::Setting;
+use crate::judge::known::checker::Checker;
 use crate::judge::model::Choices;
-use crate::judge::trial::Setting;
 use crate::language::value::Value;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};

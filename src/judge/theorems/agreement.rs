@@ -3,8 +3,8 @@
 use super::fit::{Claim, Instance, Standing};
 use super::letters::Letters;
 use crate::formula::{Expr, Kind};
-use crate::judge::agreement::Agreement;
-use crate::judge::names::{Head, bases, walk};
+use crate::judge::known::found::Agreement;
+use crate::judge::written::names::{Head, bases, walk};
 
 impl Agreement {
     /// That of a claim with an instance that it fits, if it is of several members: b_0 = a_0 is one of many a theorem.

@@ -20,7 +20,7 @@ use std::rc::Rc;
 use super::forms::with_windows;
 use super::letters::Profile;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::page::topic::{Topic, Topics};
 use crate::language::latex;
 
 const TABLES: &[&str] = &[

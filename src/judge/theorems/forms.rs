@@ -1,7 +1,7 @@
 //! The forms in which a claim is compared with theorems: notations that mean the same are written in one way.
 
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
-use crate::judge::names::{Head, bases, walk};
+use crate::judge::written::names::{Head, bases, walk};
 use crate::language::lexicon::families;
 
 /// The one case of a formula that is not a number, or the formula.

@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use crate::formula::{Accent, Enclosure, Expr, Kind};
-use crate::judge::evaluator::evaluate_reading;
-use crate::judge::integers::as_values;
+use crate::judge::instances::integers::as_values;
 use crate::judge::model::Model;
-use crate::judge::names::{Head, bases, is_index_letter};
+use crate::judge::values::evaluator::evaluate_reading;
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
 use crate::language::value::Value;
@@ -53,7 +53,7 @@ impl Free {
     /// The value of a formula.
     pub(super) fn value(self: &Rc<Self>, expr: &Expr, integers: &[(String, i64)]) -> Option<Fraction> {
         let value = evaluate_reading(expr, self.clone(), as_values(integers)).ok()?;
-        match crate::judge::compare::plain(&value) {
+        match crate::judge::values::compare::plain(&value) {
             Value::Scalar(value) => Some(value),
             _ => None,
         }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::entry::Equation;
 use super::free::{Functions, is_raised};
 use crate::formula::{Accent, Expr, Kind};
-use crate::judge::evaluator;
-use crate::judge::names::{Head, bases, integer_names, is_index_letter, own_names, walk};
+use crate::judge::values::evaluator;
+use crate::judge::written::names::{Head, bases, integer_names, is_index_letter, own_names, walk};
 use crate::math::number::Rational;
 
 /// So many ways to exchange the letters are tried for one equation.

@@ -30,19 +30,20 @@ use self::forms::{
     main_case, with_indices_apart, with_repetitions, with_windows, without_marks, without_parameters,
 };
 use self::letters::{Profile, Said, ways};
-use super::agreement::Agreement;
-use super::check::Checker;
-use super::context::{Body, Context, Mark};
-use super::finding::{Finding, Verdict};
-use super::model::Choices;
-use super::names::{Head, bases, has_members, is_index_letter, walk};
-use super::repair;
-use super::statement::{Chain, Place, Role, Statement};
-use super::topic::{Topic, Topics};
-use super::trial::{Setting, Trial};
-use super::unfold;
 use crate::budget;
 use crate::formula::{Accent, Expr, Kind, Rel, interval};
+use crate::judge::instances::setting::Setting;
+use crate::judge::instances::trial::Trial;
+use crate::judge::known::checker::Checker;
+use crate::judge::known::found::Agreement;
+use crate::judge::known::unfold;
+use crate::judge::model::Choices;
+use crate::judge::page::context::{Body, Context, Mark};
+use crate::judge::page::finding::{Finding, Verdict};
+use crate::judge::page::statement::{Chain, Place, Role, Statement};
+use crate::judge::page::topic::{Topic, Topics};
+use crate::judge::repair;
+use crate::judge::written::names::{Head, bases, has_members, is_index_letter, walk};
 
 /// So often what members of families are is put for them.
 const UNFOLDINGS: usize = 2;
@@ -102,7 +103,7 @@ impl Checker {
             return None;
         }
         let start = budget::spent();
-        let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
+        let long = || budget::spent() - start > crate::judge::instances::setting::share(&self.limits, 2);
         let suggestion = |sides: [&Expr; 2]| self.suggestion(chain, at, sides, &[], statement);
         let known = known();
         let polar = statement.topics.has(Topic::PolarForm);

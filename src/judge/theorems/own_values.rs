@@ -9,13 +9,13 @@ use std::rc::Rc;
 use super::free::Free;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::check::Checker;
-use crate::judge::context::{Body, Context, Mark};
-use crate::judge::finding::{Evidence, Finding, Verdict};
+use crate::judge::known::checker::Checker;
+use crate::judge::known::unfold;
 use crate::judge::model::{Choices, Model};
-use crate::judge::names::{Head, walk};
-use crate::judge::statement::{Chain, Place, Role, Statement};
-use crate::judge::unfold;
+use crate::judge::page::context::{Body, Context, Mark};
+use crate::judge::page::finding::{Evidence, Finding, Verdict};
+use crate::judge::page::statement::{Chain, Place, Role, Statement};
+use crate::judge::written::names::{Head, walk};
 use crate::language::write;
 
 /// So deep formulas are put for functions.

@@ -1,10 +1,10 @@
 //! What letters of the table stand for, and whether a page uses a letter for something else.
 
 use crate::formula::Expr;
-use crate::judge::context::Context;
-use crate::judge::names::Head;
-use crate::judge::object::Sort;
-use crate::judge::statement::Place;
+use crate::judge::page::context::Context;
+use crate::judge::page::object::Sort;
+use crate::judge::page::statement::Place;
+use crate::judge::written::names::Head;
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles::is_variable;
 

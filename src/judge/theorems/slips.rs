@@ -1,7 +1,7 @@
 //! Slips that leave nothing to be edited: what is gone has to be put back, what was exchanged everywhere exchanged again.
 
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{is_index_letter, walk};
+use crate::judge::written::names::{is_index_letter, walk};
 
 /// A formula without one of its roots or exponents.
 pub(super) fn of(expr: &Expr, slips: &mut Vec<Expr>) {

@@ -7,15 +7,15 @@ use super::fit::{Claim, Standing};
 use super::letters::{Said, Way, is_end};
 use super::roles;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::check::Checker;
-use crate::judge::context::{Body, is_variable};
-use crate::judge::evaluator;
-use crate::judge::inequality::is_unit;
-use crate::judge::integers::as_values;
-use crate::judge::names::{Head, bases, walk};
-use crate::judge::object::Sort;
-use crate::judge::statement::Place;
-use crate::judge::topic::Topic;
+use crate::judge::instances::integers::as_values;
+use crate::judge::known::checker::Checker;
+use crate::judge::page::context::{Body, is_variable};
+use crate::judge::page::object::Sort;
+use crate::judge::page::statement::Place;
+use crate::judge::page::topic::Topic;
+use crate::judge::values::evaluator;
+use crate::judge::values::inequality::is_unit;
+use crate::judge::written::names::{Head, bases, walk};
 
 impl Checker {
     /// What it means that a claim fits a theorem in a way.

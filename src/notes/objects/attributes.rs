@@ -5,8 +5,8 @@ use super::subject::{ends, left_side, name_in};
 use super::tokens::Token;
 use super::{Reader, in_order};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, bases};
 use crate::notes::speech::Word;
 
 impl Reader<'_> {

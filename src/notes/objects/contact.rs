@@ -4,7 +4,7 @@
 //! there. *Certain* orders are those that a sentence says for sure, *possible* ones all that it may say.
 
 use crate::formula::{Expr, Kind, Rel, interval};
-use crate::judge::statement::Contact;
+use crate::judge::page::statement::Contact;
 use crate::language::lexicon::roles::is_variable;
 use crate::notes::sentence::Piece;
 use crate::notes::speech::{self, Agreement};

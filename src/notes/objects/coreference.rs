@@ -8,9 +8,9 @@ use super::Reader;
 use super::subject::{ends, left_side, name_in};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
-use crate::judge::object::{Object, Sort, UNNAMED};
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::page::object::{Object, Sort, UNNAMED};
+use crate::judge::page::topic::{Topic, Topics};
+use crate::judge::written::names::Head;
 use crate::notes::speech::{self, Word};
 
 /// What was spoken of.

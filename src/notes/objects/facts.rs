@@ -6,8 +6,8 @@ use super::phrase::Phrase;
 use super::subject::{ends, name_in};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Sign, Term};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::families::{self, Family};
 use crate::notes::speech::Word;
 

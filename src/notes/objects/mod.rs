@@ -35,9 +35,9 @@ use self::tokens::{Token, tokens, without_smoothness};
 use super::sentence::Piece;
 use super::speech::{self, Word};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::{Head, bases, is_index_letter};
-use crate::judge::object::{Object, Sort};
-use crate::judge::statement::{Place, Said, Statement};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::page::statement::{Place, Said, Statement};
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::roles::is_variable;
 
 /// Puts a statement about each object before the first formula that speaks of it.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::page::Page;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
 
 /// "q is its polar form. We try it with Q(t) = …": a polar form of which no words say whose it is, is that of the function

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 
 use super::contact::numbers;
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::names::Head;
-use crate::judge::statement::{Place, Said, Statement};
-use crate::judge::topic::Topics;
+use crate::judge::page::statement::{Place, Said, Statement};
+use crate::judge::page::topic::Topics;
+use crate::judge::written::names::Head;
 use crate::notes::sentence::Piece;
 use crate::notes::speech;
 

@@ -7,9 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::page::{Page, Section};
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
-use crate::judge::names::{Head, bases, is_index_letter, own_names, walk};
-use crate::judge::object::{Object, Sort, UNNAMED};
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::page::object::{Object, Sort, UNNAMED};
+use crate::judge::page::topic::{Topic, Topics};
+use crate::judge::written::names::{Head, bases, is_index_letter, own_names, walk};
 use crate::language::latex;
 use crate::language::lexicon::families;
 use crate::math::curve::indices;

@@ -7,8 +7,8 @@ use super::facts::degree_of_knots;
 use super::subject::{named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::is_range;
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::is_range;
 
 /// A noun phrase.
 pub(super) struct Phrase {

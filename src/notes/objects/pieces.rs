@@ -3,7 +3,7 @@
 use super::Reader;
 use super::tokens::Token;
 use crate::formula::Expr;
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
 use crate::notes::speech::Word;
 
 impl Reader<'_> {

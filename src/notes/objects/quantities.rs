@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 
 use super::page::{Page, Section};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::{bases, integer_names};
-use crate::judge::object::{Object, Sort, UNNAMED};
-use crate::judge::topic::Topic;
+use crate::judge::page::object::{Object, Sort, UNNAMED};
+use crate::judge::page::topic::Topic;
+use crate::judge::written::names::{bases, integer_names};
 use crate::language::lexicon::roles::is_variable;
 use crate::math::number::rational;
 use crate::notes::sentence::Piece;

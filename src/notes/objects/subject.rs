@@ -4,7 +4,7 @@ use super::super::speech::Word;
 use super::Reader;
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Rel, interval};
-use crate::judge::names::Head;
+use crate::judge::written::names::Head;
 
 impl Reader<'_> {
     /// The formulas right before a token that a phrase can be said of, without values if it is said of `plain`

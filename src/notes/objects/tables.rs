@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::super::sentence::Piece;
 use super::subject::named;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{Head, bases};
-use crate::judge::object::{Object, Sort};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::written::names::{Head, bases};
 use crate::language::syntax;
 
 /// A row of a table: its name and the numbers after it.

@@ -6,7 +6,7 @@ use super::super::sentence::Piece;
 use super::super::speech::{self, Word};
 use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind};
-use crate::judge::object::Sort;
+use crate::judge::page::object::Sort;
 
 /// A part of a sentence, as far as it matters here.
 #[derive(Clone, Debug)]

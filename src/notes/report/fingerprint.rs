@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::states_something;
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 
 /// What somebody should look at, by kind. These are the rules of SARIF, and what a configuration ignores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

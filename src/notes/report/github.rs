@@ -6,7 +6,7 @@
 
 use super::place::{Locator, Region};
 use super::{Rule, Tally, message, verdict_words};
-use crate::judge::finding::FileReport;
+use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::Severity;
 
 /// The report as workflow commands: an error for what is refuted, a warning for what is suspicious and, if `verbose`,

@@ -7,7 +7,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::mathml::mathml;
 use super::place::Locator;
 use super::{Tally, states_something};
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 
 const STYLE: &str = include_str!("page.css");

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::place::Locator;
 use super::{Tally, fingerprints, states_something};
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic;
 
 /// The report as JSON:

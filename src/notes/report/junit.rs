@@ -7,7 +7,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::place::Locator;
 use super::{Rule, message, states_something};
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::{Diagnostic, Severity};
 
 /// The report as JUnit XML: a suite for each file, a test for each claim. A refuted claim fails, one that is undecided

@@ -6,7 +6,7 @@ use super::counted;
 use super::json::{pretty, problems};
 use super::place::Locator;
 use super::terminal::{BOLD, painted};
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::harmless;
 
 /// The formulas of some files as they were read, printed anew as LaTeX; with what could not be read.

@@ -35,7 +35,7 @@ pub use sarif::render_sarif;
 pub use table::render_summary;
 pub use terminal::{TextOptions, render_text};
 
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// How many findings there are of each kind.

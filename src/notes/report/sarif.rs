@@ -7,7 +7,7 @@ use super::json::pretty;
 use super::place::{Locator, Region};
 use super::{Rule, fingerprints, message};
 use crate::formula::source::Pieces;
-use crate::judge::finding::FileReport;
+use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
 /// Where the pages about this version stand.

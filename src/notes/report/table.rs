@@ -4,7 +4,7 @@ use comfy_table::{CellAlignment, Table, presets};
 
 use super::terminal::{BOLD, painted};
 use super::{CLAIMS, Tally, further_words, verdict_words};
-use crate::judge::finding::FileReport;
+use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::harmless;
 
 /// How many claims got which verdict, and what else there is; for several files with a table.

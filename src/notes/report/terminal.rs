@@ -7,7 +7,7 @@ use super::excerpt::{Excerpt, fitting};
 use super::place::Locator;
 use super::table::render_summary;
 use crate::formula::source::SourceFile;
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::{harmless, shortened, with_column};
 
 const RED: &str = "\x1b[1;31m";

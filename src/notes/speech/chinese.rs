@@ -4,9 +4,9 @@ use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
 use super::blocks::Recalls;
 use super::{Block, Cue, PRIME};
-use crate::judge::object::{Sort, Symmetric};
-use crate::judge::statement::Role;
-use crate::judge::topic::Topic;
+use crate::judge::page::object::{Sort, Symmetric};
+use crate::judge::page::statement::Role;
+use crate::judge::page::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("存在", Role::Exists),

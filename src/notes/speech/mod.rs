@@ -37,9 +37,9 @@ use self::starts::{Starts, without_accent};
 
 use self::blocks::Recalls;
 use crate::formula::source::Pieces;
-use crate::judge::object::Sort;
-use crate::judge::statement::Role;
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::page::object::Sort;
+use crate::judge::page::statement::Role;
+use crate::judge::page::topic::{Topic, Topics};
 use crate::language::lexicon::words;
 
 /// What a phrase is in a sentence that says what names stand for.

@@ -79,7 +79,8 @@ impl Template {
                 })
                 .collect(),
         };
-        let own = arguments.iter().any(|argument| crate::judge::names::bases(argument).contains(INDEX));
+        let own =
+            arguments.iter().any(|argument| crate::judge::written::names::bases(argument).contains(INDEX));
         if !self.names.contains(&name) || self.letters.len() != arguments.len() || own {
             return None;
         }

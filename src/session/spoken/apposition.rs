@@ -6,7 +6,7 @@ use super::draft::{Draft, list};
 use super::utterance::Utterance;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
 use crate::language::functions::builtin;

@@ -3,7 +3,7 @@
 use super::{Read, one_term};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::Label;

@@ -5,7 +5,7 @@ use super::utterance::Utterance;
 use super::{Reader, lists};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
 use crate::language::value::Value;

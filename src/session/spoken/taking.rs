@@ -3,7 +3,7 @@
 use super::draft::{Draft, is_points, list};
 use super::{Read, one_term};
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Need, Takes};
 use crate::language::lexicon::phrases::Label;

@@ -1,14 +1,14 @@
 //! A request while it is put together: its functions, their object, and what is said of them.
 
-use super::super::systems::is_equation;
 use super::draft::{self, Draft};
 use super::{Read, apposition, knots, lists, notations};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
+use crate::session::given::is_equation;
 
 /// A request, read.
 #[derive(Clone, Default)]

@@ -2,7 +2,7 @@
 
 use super::Read;
 use crate::formula::{Expr, Kind, applied, call};
-use crate::judge::names::bases;
+use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;

@@ -7,12 +7,13 @@ use super::{all, instances, random_sides};
 use crate::budget::Limits;
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
-use crate::judge::check::{Checker, blank};
-use crate::judge::names::{Head, walk};
-use crate::judge::object::{Declared, Object, Sort};
-use crate::judge::statement::{Chain, Place, Said, Side, Statement};
+use crate::judge::known::checker::Checker;
+use crate::judge::page::finding::blank;
+use crate::judge::page::object::{Declared, Object, Sort};
+use crate::judge::page::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::theorems::entry::{Equation, Theorem, known};
 use crate::judge::theorems::fit::Standing;
+use crate::judge::written::names::{Head, walk};
 
 /// A side with one slip: a sign, an index, a factor, two members exchanged.
 fn slips(side: &Expr) -> Vec<Expr> {

@@ -4,8 +4,8 @@ use super::Page;
 use super::read::closed;
 use super::signs::{Sign, sentence_end, sentence_start};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::{Head, bases, is_index_letter};
-use crate::judge::object::Sort;
+use crate::judge::page::object::Sort;
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::notes::speech::Hint;
 
 /// What a list is of.

@@ -21,9 +21,9 @@ use super::super::speech::{self, Hint};
 use super::facts::in_order;
 use super::page::Page;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::Head;
-use crate::judge::object::{Object, Sort};
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::page::object::{Object, Sort};
+use crate::judge::page::topic::{Topic, Topics};
+use crate::judge::written::names::Head;
 
 /// So many sentences a paragraph may have.
 const MOST_SENTENCES: usize = 8;

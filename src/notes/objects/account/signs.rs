@@ -3,7 +3,7 @@
 use super::super::super::sentence::Piece;
 use super::super::super::speech::{self, Hint, Word};
 use crate::formula::source::Pieces;
-use crate::judge::object::Sort;
+use crate::judge::page::object::Sort;
 
 /// A word or a formula of a paragraph.
 #[derive(Clone, Debug, PartialEq)]

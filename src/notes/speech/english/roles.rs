@@ -1,6 +1,6 @@
 //! What words make of a formula: a claim, a case, a hypothesis, something asked.
 
-use crate::judge::statement::Role;
+use crate::judge::page::statement::Role;
 use crate::notes::speech::Block;
 use crate::notes::speech::Cue::{self, After, Before, Command};
 use crate::notes::speech::blocks::Recalls;

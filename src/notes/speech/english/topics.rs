@@ -1,6 +1,6 @@
 //! Words that tell what a section is on.
 
-use crate::judge::topic::Topic;
+use crate::judge::page::topic::Topic;
 
 /// How words begin that tell what a section is on.
 pub const TOPICS: &[(&str, Topic)] = &[

@@ -1,6 +1,6 @@
 //! Words of sentences that say what names stand for.
 
-use crate::judge::object::{Sort, Symmetric};
+use crate::judge::page::object::{Sort, Symmetric};
 use crate::notes::speech::PRIME;
 use crate::notes::speech::Word::{self, *};
 

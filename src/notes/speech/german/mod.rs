@@ -7,8 +7,8 @@ pub(super) use words::WORDS;
 use super::Cue::{After, Before, Opening};
 use super::blocks::Recalls;
 use super::{Block, Cue};
-use crate::judge::statement::Role;
-use crate::judge::topic::Topic;
+use crate::judge::page::statement::Role;
+use crate::judge::page::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("für ein", Role::Exists),

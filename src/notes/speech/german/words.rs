@@ -2,7 +2,7 @@
 
 use super::super::PRIME;
 use super::super::Word::{self, *};
-use crate::judge::object::{Sort, Symmetric};
+use crate::judge::page::object::{Sort, Symmetric};
 
 pub const WORDS: &[(&str, Word)] = &[
     ("durch die punkte", Through),

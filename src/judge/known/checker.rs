@@ -1,0 +1,154 @@
+//! All that is known while a page is checked.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use crate::budget::Limits;
+use crate::formula::Expr;
+use crate::formula::source::{SourceFile, Span};
+use crate::judge::known::found::{Agreement, Scheme, Taken, Use};
+use crate::judge::known::unread::Unread;
+use crate::judge::model::Ambiguity;
+use crate::judge::page::context::{Body, Condition, Context, Definition, Mark, Source};
+use crate::judge::page::finding::Finding;
+use crate::judge::page::letters::Letters;
+use crate::judge::page::statement::{Place, Statement, links};
+use crate::judge::written::names::Head;
+use crate::language::diagnostic::Diagnostic;
+
+/// Judges statements in their order.
+#[derive(Clone)]
+pub struct Checker {
+    pub(in crate::judge) file: SourceFile,
+    pub(in crate::judge) context: Rc<Context>,
+    pub(in crate::judge) limits: Limits,
+    /// How many of the next formulas are not to be judged.
+    pub(in crate::judge) ignored: usize,
+    /// Names that stand beside something that could not be read.
+    pub(in crate::judge) unread: Vec<Unread>,
+    /// What could not be judged, for formulas that come later.
+    pub(in crate::judge) open: Vec<Condition>,
+    /// What relied on definitions of the page.
+    pub(in crate::judge) uses: Vec<Use>,
+    /// What new names were found to mean.
+    pub(in crate::judge) taken: Vec<Taken>,
+    /// Schemes of which points agreed.
+    pub(in crate::judge) schemes: Vec<Scheme>,
+    /// The letters that occurred so far.
+    pub(in crate::judge) seen: BTreeSet<String>,
+    /// Letters of control points that words speak of, of which one agreed.
+    pub(in crate::judge) agreed: Vec<(String, Place)>,
+    /// Theorems that gave a member of a family.
+    pub(in crate::judge) agreements: Vec<Agreement>,
+    /// How ambiguous notations were found to be meant: true is the second reading.
+    pub(in crate::judge) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// Functions with laws that stayed open, each with its place and line.
+    pub(in crate::judge) laws: Vec<(String, Place, usize)>,
+    /// What was known before the statement that is judged.
+    pub(in crate::judge) before: Mark,
+    /// Whether a repair is judged, for which no other is looked for.
+    pub(in crate::judge) confirming: bool,
+    /// What was found so far, one finding for each relation.
+    pub findings: Vec<Finding>,
+    /// What is wrong with declarations.
+    pub problems: Vec<Diagnostic>,
+}
+
+impl Checker {
+    /// Before the first statement; `statements` are all that will come, for what letters are used as.
+    pub fn new(file: &SourceFile, limits: &Limits, statements: &[Statement]) -> Self {
+        let letters = Letters::of(statements);
+        Checker {
+            file: file.clone(),
+            context: Rc::new(Context::new(letters)),
+            limits: limits.clone(),
+            ignored: 0,
+            unread: Vec::new(),
+            open: Vec::new(),
+            uses: Vec::new(),
+            taken: Vec::new(),
+            schemes: Vec::new(),
+            seen: BTreeSet::new(),
+            agreed: Vec::new(),
+            agreements: Vec::new(),
+            settled: RefCell::default(),
+            laws: Vec::new(),
+            before: Mark::default(),
+            confirming: false,
+            findings: Vec::new(),
+            problems: Vec::new(),
+        }
+    }
+
+    /// A state of an earlier run to go on from in this one, if letters are used alike on both pages, of which what was
+    /// judged must be the same.
+    pub fn resumed(&self, earlier: &Checker) -> Option<Checker> {
+        (self.context.letters == earlier.context.letters).then(|| Checker {
+            file: self.file.clone(),
+            limits: self.limits.clone(),
+            ..earlier.clone()
+        })
+    }
+
+    pub(in crate::judge) fn line(&self, span: Span) -> usize {
+        self.file.line_column(span.start).0
+    }
+
+    /// Adds a condition that later formulas may need.
+    pub(in crate::judge) fn condition(&mut self, expr: Expr, span: Span, assumed: bool, place: &Place) {
+        self.condition_for(expr, &[], span, assumed, place);
+    }
+
+    /// The same for some values of its indices: F^{(k)}(τ) = G^{(k)}(τ) for k = 0, …, r.
+    pub(in crate::judge) fn condition_for(
+        &mut self,
+        expr: Expr,
+        ranges: &[Expr],
+        span: Span,
+        assumed: bool,
+        place: &Place,
+    ) {
+        let line = self.line(span);
+        for expr in links(&expr) {
+            let condition = Condition { expr, assumed, place: place.clone(), line, ranges: ranges.to_vec() };
+            Rc::make_mut(&mut self.context).conditions.push(condition);
+        }
+    }
+
+    /// Adds a definition that later formulas use.
+    pub(in crate::judge) fn define(
+        &mut self,
+        head: Head,
+        body: Body,
+        conditions: &[Expr],
+        place: &Place,
+        span: Span,
+    ) {
+        self.define_by(Source::Page, head, body, conditions, place, span);
+    }
+
+    pub(in crate::judge) fn define_by(
+        &mut self,
+        source: Source,
+        head: Head,
+        body: Body,
+        conditions: &[Expr],
+        place: &Place,
+        span: Span,
+    ) {
+        let (conditions, place, line) = (conditions.to_vec(), place.clone(), self.line(span));
+        let definition = Definition { head, body, conditions, place, line, assumed: false, source };
+        Rc::make_mut(&mut self.context).define(definition);
+    }
+
+    /// What the section said, the latest first.
+    pub(in crate::judge) fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
+        self.context
+            .heard
+            .iter()
+            .rev()
+            .filter(|(other, _)| place.knows(other, false))
+            .map(|(_, expr)| &**expr)
+    }
+}

@@ -1,0 +1,4 @@
+//! What a line could be: queries for words that nobody reads, and what may stand for a word that has been begun.
+
+mod advice;
+pub(super) mod completion;

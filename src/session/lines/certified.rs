@@ -1,0 +1,236 @@
+//! Claims about signs on a region, answered by what shows them: `prove t^2 - t + 1 >= 0 on [0, 1]` is `positivity(t^2 - t + 1, 0, 1)`.
+
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call};
+use crate::language::eval::{Equals, Outcome};
+use crate::language::lexicon::signs::{self, Shape, SignClaim};
+use crate::language::syntax::{self, Sentence};
+use crate::language::value::{Value, symbol_expr};
+use crate::session::{Answer, Failure, Session, defines, guarded, read_as, read_in};
+
+impl Session {
+    /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
+    pub(in crate::session) fn certified(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        found: &SignClaim,
+    ) -> Result<Option<Expr>, Box<Failure>> {
+        let text = file.slice(whole);
+        let word: String = text.trim_start().chars().take_while(|c| c.is_alphabetic()).collect();
+        if found.asked && defines(&self.env, &word) {
+            return Ok(None);
+        }
+        let SignClaim { claim, shape, region, condition: None, .. } = *found else { return Ok(None) };
+        let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
+        let read = |span: Span| {
+            guarded(&self.limits, || read_in(&self.env, file, Some(span)))
+                .map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
+        };
+        let (claimed, region_of_object) = match (self.object_claimed(file, place(claim)), read(place(claim)))
+        {
+            (Some((claimed, ends)), _) => (claimed, Some(ends)),
+            (None, Ok(claimed)) => (claimed, None),
+            (None, Err(_)) => return Ok(None),
+        };
+        let Some(function) = function(claimed, shape) else { return Ok(None) };
+        let Some(region) = region else {
+            if let Some([a, b]) = region_of_object {
+                return Ok(Some(call("positivity", vec![function, a, b], whole)));
+            }
+            // Over all numbers.
+            return Ok(Some(call("positivity", vec![function], whole)));
+        };
+        let span = place(region);
+        let inner = file.slice(span);
+        let mut items = Vec::new();
+        for (a, b) in signs::factors(inner) {
+            let Ok(item) = read(Span::new(span.start + a, span.start + b)) else { return Ok(None) };
+            items.push(item);
+        }
+        Ok(match region_of(items) {
+            Some(Region::Interval(a, b)) => Some(call("positivity", vec![function, a, b], whole)),
+            Some(Region::Rows(rows)) => {
+                let list = Expr { span, ..Kind::List(rows).into() };
+                Some(call("positivity_over", vec![function, list], whole))
+            }
+            None => None,
+        })
+    }
+}
+
+impl Session {
+    /// The Bézier polynomial that words describe, at a parameter, and the interval over which it is given.
+    fn object_claimed(&self, file: &SourceFile, claim: Span) -> Option<(Expr, [Expr; 2])> {
+        // A polygon is none of its curve.
+        let text = file.slice(claim).to_lowercase();
+        if ["polygon", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)) {
+            return None;
+        }
+        let object = self.spoken_data(file, claim)?;
+        let Kind::Apply(callee, groups) = &object.kind else { return None };
+        if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
+            return None;
+        }
+        let ends = match groups.first()?.as_slice() {
+            [_] => [Expr::int(0), Expr::int(1)],
+            [_, a, b] => [a.clone(), b.clone()],
+            _ => return None,
+        };
+        Some((applied(object.clone(), vec![Expr { span: claim, ..Expr::name("t") }], claim), ends))
+    }
+
+    /// Judges what is said of the sign of a function, as the relation that says it: `t^2 + 1 is positive for all t`.
+    pub(in crate::session) fn run_relation(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        found: &SignClaim,
+        shape: Shape,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
+        let claim = place(found.claim);
+        let (claimed, ends) = match (self.object_claimed(file, claim), self.read(file, claim)) {
+            (Some((claimed, ends)), _) => (claimed, Some(ends)),
+            (None, Ok(claimed)) => (claimed, None),
+            (None, Err(_)) => return Ok(None),
+        };
+        if let (Some([a, b]), None) = (&ends, found.region)
+            && found.condition.is_none()
+            && let Some(relation) = self.sign_over(&claimed, shape, [a, b], claim)
+        {
+            return self.evaluated_as(file, relation, whole, Equals::Claims).map(|answer| Some(vec![answer]));
+        }
+        if matches!(claimed.kind, Kind::Chain(..) | Kind::Sequence(_)) {
+            return Ok(None);
+        }
+        // p is positive
+        let claimed = match self.clone().evaluate(&mut claimed.clone(), Equals::Claims) {
+            Ok(Outcome { value: Value::Function(function), .. }) => match function.as_formula() {
+                Some((letter, _)) => applied(claimed, vec![symbol_expr(letter)], claim),
+                None => claimed,
+            },
+            _ => claimed,
+        };
+        let function = (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], claim));
+        let zero = Expr { span: claim, ..Expr::int(0) };
+        let relation = Expr { span: claim, ..Expr::relation(function, shape.relation(), zero) };
+        let note = read_as(&relation, claim);
+        let mut conditions: Vec<(Span, bool)> =
+            found.region.map(|region| (place(region), false)).into_iter().collect();
+        if let Some(condition) = found.condition {
+            let Some(said) =
+                syntax::conditions(file.slice(place(condition)), &|word| defines(&self.env, word))
+            else {
+                return Ok(None);
+            };
+            conditions
+                .extend(said.into_iter().map(|(span, all)| (span.shifted(whole.start + condition.0), all)));
+        }
+        let sentence = Sentence { formula: claim, conditions, asked: true };
+        let Some(mut answers) = self.run_said(file, &sentence, Some(relation), Equals::Claims)? else {
+            return Ok(None);
+        };
+        if let Some(first) = answers.first_mut() {
+            first.outcome.notes.insert(0, note);
+        }
+        Ok(Some(answers))
+    }
+}
+
+impl Session {
+    /// A strict claim on an interval by the least or largest value there: minimum(F, 0, 1) > 0.
+    fn sign_over(&self, claimed: &Expr, shape: Shape, [a, b]: [&Expr; 2], span: Span) -> Option<Expr> {
+        let function =
+            (0..shape.order).fold(claimed.clone(), |function, _| call("diff", vec![function], span));
+        let extreme = match shape.relation() {
+            Rel::Gt | Rel::Ge => "minimum",
+            Rel::Lt | Rel::Le => "maximum",
+            _ => return None,
+        };
+        let value = call(extreme, vec![function, a.clone(), b.clone()], span);
+        let zero = Expr { span, ..Expr::int(0) };
+        Some(Expr { span, ..Expr::relation(value, shape.relation(), zero) })
+    }
+}
+
+/// What is not negative if the claim holds.
+fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
+    let span = claimed.span;
+    let minus = |left: Expr, right: Expr| {
+        let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q));
+        if zero(&right) {
+            return left;
+        }
+        let term = |sign, expr: Expr| Term {
+            sign,
+            expr: if matches!(expr.kind, Kind::Add(_)) { expr.grouped() } else { expr },
+        };
+        Expr { span, ..Expr::sum(vec![term(Sign::Plus, left), term(Sign::Minus, right)]) }
+    };
+    match (shape, claimed.kind) {
+        (Some(shape @ Shape { order, .. }), kind) if !matches!(kind, Kind::Chain(..)) => {
+            let start = Expr { span, ..kind.into() };
+            let derived = (0..order).fold(start, |f, _| call("diff", vec![f], span));
+            Some(if shape.is_turned() { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })
+        }
+        (None, Kind::Chain(left, mut links)) if links.len() == 1 => {
+            let link = links.remove(0);
+            match link.rel {
+                Rel::Ge => Some(minus(*left, link.expr)),
+                Rel::Le => Some(minus(link.expr, *left)),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+enum Region {
+    Interval(Expr, Expr),
+    Rows(Vec<Expr>),
+}
+
+/// Two numbers, several pairs, or points.
+fn region_of(items: Vec<Expr>) -> Option<Region> {
+    let row = |expr: Expr| -> Option<Vec<Expr>> {
+        match expr.kind {
+            Kind::List(list) | Kind::Tuple(list) => Some(list),
+            _ => None,
+        }
+    };
+    let many = items.len() > 1;
+    let mut rows = Vec::new();
+    for item in items {
+        match item.kind {
+            // [0, 1]^3
+            Kind::Pow(base, exponent) => {
+                let Kind::Number(q) = &exponent.kind else { return None };
+                let count =
+                    num_traits::ToPrimitive::to_usize(&q.to_integer()).filter(|n| (1..=3).contains(n))?;
+                rows.extend(std::iter::repeat_n(row(*base)?, count));
+            }
+            Kind::Sequence(points) if !many => {
+                for point in points {
+                    rows.push(row(point)?);
+                }
+            }
+            Kind::List(list)
+                if !many && list.iter().all(|part| matches!(part.kind, Kind::List(_) | Kind::Tuple(_))) =>
+            {
+                for point in list {
+                    rows.push(row(point)?);
+                }
+            }
+            kind => rows.push(row(kind.into())?),
+        }
+    }
+    match rows.as_mut_slice() {
+        [one] if one.len() == 2 => {
+            let (b, a) = (one.pop()?, one.pop()?);
+            Some(Region::Interval(a, b))
+        }
+        [_] => None,
+        _ => Some(Region::Rows(rows.into_iter().map(|row| Kind::List(row).into()).collect())),
+    }
+}

@@ -1,0 +1,23 @@
+//! Lines that say more than one formula: what is supposed and defined in them, and what is asked.
+//!
+//! | file | lines |
+//! | --- | --- |
+//! | `several` | formulas beside each other |
+//! | `data` | a question and its data, in any order |
+//! | `clauses` | definitions in words |
+//! | `described` | an object in words, and questions about it |
+//! | `condition`, `unknown`, `systems` | a name, a function, several names that conditions determine |
+//! | `certified` | claims about signs |
+//! | `members` | members of a family without their argument |
+//! | `units` | which lines of a file are read together |
+
+mod certified;
+mod clauses;
+mod condition;
+mod data;
+mod described;
+mod members;
+mod several;
+mod systems;
+mod units;
+mod unknown;
