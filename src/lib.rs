@@ -46,6 +46,7 @@
 //! | exact solving, inverse, rank, determinant | [`linalg`] |
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
+//! | verdicts: models, proofs, what is wrong and why | [`judge`] |
 //! | checking lecture notes | [`notes`] |
 //! | drawings: what is on them; SVG, TikZ, terminal | [`scene`], [`figure`] |
 //! | results woven into lecture notes | [`weave`] |
@@ -80,9 +81,12 @@ pub mod cli;
 pub mod document;
 #[cfg(feature = "figure")]
 pub mod figure;
+#[doc(hidden)]
 pub mod formula;
 pub mod judge;
+#[doc(hidden)]
 pub mod language;
+#[doc(hidden)]
 pub mod math;
 #[cfg(feature = "notes")]
 pub mod notes;
@@ -91,9 +95,14 @@ pub mod session;
 #[cfg(feature = "weave")]
 pub mod weave;
 
+// What programs write is flat: `polarform::blossom::PolarForm`. The floors are for those who work on them.
+#[doc(inline)]
 pub use formula as expr;
+#[doc(inline)]
 pub use formula::source;
+#[doc(inline)]
 pub use language::{derive, diagnostic, eval, functions, latex, syntax, value, write};
+#[doc(inline)]
 pub use math::{
     approximation, basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline,
     subdivision, system,

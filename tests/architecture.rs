@@ -12,7 +12,8 @@ use std::path::Path;
 use std::slice;
 use std::sync::LazyLock;
 
-use tree::{Sources, Tree, add, sources, tree};
+pub(crate) use tree::sources;
+use tree::{Sources, Tree, add, tree};
 
 /// Modules of one folder by level, lowest first. Those of one level do not import each other.
 struct Order {

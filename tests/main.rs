@@ -15,6 +15,7 @@ mod docs;
 mod figure_commands;
 mod figures;
 mod fronts;
+mod function_names;
 mod functions;
 mod fuzz;
 mod habits;

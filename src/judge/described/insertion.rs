@@ -214,7 +214,7 @@ impl Checker {
             let Body::Formula(body) = &own.body else { return None };
             let mut size = None;
             walk(body, &mut |part| {
-                let spline = Head::of(part).filter(|head| head.base == "N");
+                let spline = Head::of(part).filter(|head| head.base == families::SPLINE);
                 size = size.take().or_else(|| {
                     spline.and_then(|head| head.lower.iter().skip(1).chain(&head.upper).next_back().cloned())
                 });

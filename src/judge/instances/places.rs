@@ -12,6 +12,7 @@ use crate::judge::page::object::{Object, Sort};
 use crate::judge::values::evaluator;
 use crate::judge::written::features::has_splines;
 use crate::judge::written::names::{Head, bases, has_members, is_index_letter, is_range, walk};
+use crate::language::lexicon::families;
 use crate::language::lexicon::families::Family;
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
@@ -287,7 +288,7 @@ impl Trial<'_> {
     pub(in crate::judge) fn has_integer_knots(&self) -> bool {
         // N_0(t) = (1 - t)^2 is one of them.
         let general = |head: &Head| head.lower.iter().all(|index| !matches!(index.kind, Kind::Number(_)));
-        let mut all = self.context.visible("N", self.place);
+        let mut all = self.context.visible(families::SPLINE, self.place);
         let defined = all.find(|(_, definition, _)| general(&definition.head));
         let indexed = |expr: &Expr| has_members(expr, &self.facts.knot_letters);
         if self.sides.iter().any(|side| has_cases_of_variables(side)) {

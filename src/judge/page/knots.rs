@@ -8,6 +8,7 @@ use crate::judge::page::letters::Letters;
 use crate::judge::page::object::{Declared, Sort};
 use crate::judge::page::statement::Place;
 use crate::judge::written::names::{Head, bases, walk};
+use crate::language::lexicon::families;
 use crate::math::number::{Rational, integer};
 
 /// So many knots are taken of a formula for all of them.
@@ -107,7 +108,7 @@ impl Context {
     /// Whether the second index of a B-spline N is its degree. The page tells it by where its recursion begins, at
     /// N_{i,0}, or at N_i^1 with orders; by as many knots as a sum of B-splines needs; by the degree of its splines.
     pub fn spline_has_degree(&self, place: &Place) -> Option<bool> {
-        let begins = self.visible("N", place).find_map(|(_, definition, _)| {
+        let begins = self.visible(families::SPLINE, place).find_map(|(_, definition, _)| {
             let last = definition.head.upper.last().or(definition.head.lower.get(1))?;
             match last.as_int() {
                 Some(0) => Some(true),

@@ -6,27 +6,15 @@ use crate::judge::page::object::Sort;
 use crate::judge::page::statement::Place;
 use crate::judge::written::names::Head;
 use crate::language::lexicon::families::{self, Family};
-use crate::language::lexicon::roles::is_variable;
+use crate::language::lexicon::roles::{Listed, is_variable, listed};
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Points,
-    Knots,
-    Weights,
-    Lengths,
-    Slopes,
-}
-
-/// What a letter with an index stands for in the table, and usually elsewhere.
-fn usual(letter: &str) -> Option<Role> {
+/// What a letter with an index stands for in the table, and usually elsewhere. Nodes are knots here.
+fn usual(letter: &str) -> Option<Listed> {
     let bare = letter.rsplit(' ').next().unwrap_or(letter).split('(').next()?;
-    match bare {
-        "b" | "c" | "d" | "p" | "q" | "P" | "Q" | "B" | "C" | "D" | "V" => Some(Role::Points),
-        "t" | "x" | "u" | "tau" | "xi" => Some(Role::Knots),
-        "w" | "omega" => Some(Role::Weights),
-        "h" => Some(Role::Lengths),
-        "m" => Some(Role::Slopes),
-        _ => None,
+    match listed(bare)? {
+        Listed::Nodes => Some(Listed::Knots),
+        Listed::Values => None,
+        other => Some(other),
     }
 }
 
@@ -34,8 +22,8 @@ fn usual(letter: &str) -> Option<Role> {
 /// algorithm, B_i^r(t) Bernstein polynomials.
 pub(super) fn is_no_basis(theirs: &str, ours: &Expr, context: &Context, place: &Place) -> bool {
     let (family, sort) = match theirs {
-        "B" => (Family::Bernstein, Sort::Bernstein),
-        "N" => (Family::Spline, Sort::BSpline),
+        families::BERNSTEIN => (Family::Bernstein, Sort::Bernstein),
+        families::SPLINE => (Family::Spline, Sort::BSpline),
         _ => return false,
     };
     let Some(head) = Head::of(ours) else { return false };
@@ -49,11 +37,11 @@ pub(super) fn is_no_basis(theirs: &str, ours: &Expr, context: &Context, place: &
 pub(super) fn clash(theirs: &str, ours: &Expr, context: &Context, place: &Place) -> bool {
     let (Some(role), Some(head)) = (usual(theirs), Head::of(ours)) else { return false };
     let said = context.object_called(&head.base, place).and_then(|declared| match declared.object.sort {
-        Sort::ControlPoints => Some(Role::Points),
-        Sort::Knots | Sort::Nodes => Some(Role::Knots),
+        Sort::ControlPoints => Some(Listed::Points),
+        Sort::Knots | Sort::Nodes => Some(Listed::Knots),
         _ => None,
     });
     // Nobody calls knots e_0, e_1 without saying so.
     said.or_else(|| usual(&head.base))
-        .map_or(role == Role::Knots && !is_variable(&head.base), |own| own != role)
+        .map_or(role == Listed::Knots && !is_variable(&head.base), |own| own != role)
 }

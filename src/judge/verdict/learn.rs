@@ -9,6 +9,7 @@ use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::reasons::lint;
 use crate::judge::written::features::missing_argument;
 use crate::judge::written::names::{Head, bases};
+use crate::language::lexicon::families;
 use num_traits::Zero;
 
 impl Checker {
@@ -35,7 +36,7 @@ impl Checker {
             && head.arguments.is_some()
             && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
         // The pieces of one B-spline follow from the recursion for all.
-        let pieces = head.base == "N"
+        let pieces = head.base == families::SPLINE
             && !head.lower.is_empty()
             && matches!(body.expr.kind, Kind::Cases(_))
             && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));

@@ -6,6 +6,7 @@ use super::lines::{chain, combination, line, multiple, power, product, subscript
 use super::words::{Reason, Title};
 use crate::budget;
 use crate::formula::{Delimiter, Expr, Kind, Sign, Term};
+use crate::language::lexicon::families;
 use crate::language::value::{Derivation, Line};
 use crate::math::basis::{bernstein_to_power, power_to_bernstein};
 use crate::math::number::{Rational, binomial};
@@ -23,7 +24,7 @@ fn rest() -> Expr {
 
 /// B_i^n(t)
 fn bernstein(i: usize, n: usize) -> Expr {
-    Expr::apply(subscript("B", &[i]).power(Expr::int(n as i64)), vec![t()])
+    Expr::apply(subscript(families::BERNSTEIN, &[i]).power(Expr::int(n as i64)), vec![t()])
 }
 
 /// c t^i (1 − t)^k

@@ -10,6 +10,7 @@ use super::lines::{
 };
 use super::words::{Reason, Title};
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
+use crate::language::lexicon::families;
 use crate::language::value::{
     Derivation, Line, Notation, Polar, PolarKind, grouped_expr, polynomial_expr, symbol_expr,
 };
@@ -411,7 +412,7 @@ impl<'a> Univariate<'a> {
         let n = self.degree;
         let t = symbol_expr(self.variable);
         let bernstein = |i: usize| {
-            let name = subscript("B", &[i]).power(Expr::int(n as i64));
+            let name = subscript(families::BERNSTEIN, &[i]).power(Expr::int(n as i64));
             Expr::apply(name, vec![t.clone()])
         };
         let polar = |i: usize| call(self.helper("beta", i), self.arguments());

@@ -301,8 +301,10 @@ impl Machine {
                 .hint(format!("define it, for example {name}(t) := t^2 or {name} := polar(t^2)"))
                 .hint(match name {
                     families::BINOMIAL_COEFFICIENT => "the binomial coefficient is binomial(n, k)".to_owned(),
-                    "B" => "the Bernstein polynomial is B_i^n(t), or bernstein(n, i, t)".to_owned(),
-                    "N" => "a B-spline is bspline_basis(n, knots, i)(t)".to_owned(),
+                    families::BERNSTEIN => {
+                        "the Bernstein polynomial is B_i^n(t), or bernstein(n, i, t)".to_owned()
+                    }
+                    families::SPLINE => "a B-spline is bspline_basis(n, knots, i)(t)".to_owned(),
                     _ => format!("or write {name} * (...) for the product"),
                 }));
             }
@@ -319,10 +321,10 @@ impl Machine {
             )
             .at(callee.span)
             .reason("not defined");
-            if symbol.base() == "B" {
+            if symbol.base() == families::BERNSTEIN {
                 error = error.hint("the Bernstein polynomial is written B_i^n(t), or bernstein(n, i, t)");
             }
-            if symbol.base() == "N" {
+            if symbol.base() == families::SPLINE {
                 error = error.hint("a B-spline is bspline_basis(n, knots, i)(t)");
             }
             return Err(error.hint(format!("define it first, or write {symbol} * (...) for the product")));
@@ -642,7 +644,7 @@ fn unknown_family(letter: &str) -> Diagnostic {
     let message = format!("'{letter}' has no value here: is this a value of a family or a product?");
     let error = Diagnostic::error(Code::AmbiguousProduct, message).reason("not defined");
     match letter {
-        "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
+        families::SPLINE => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
         other => error.hint(format!("define it first, for example {other}(i, n, t) := ...")),
     }
 }

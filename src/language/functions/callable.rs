@@ -141,8 +141,6 @@ const ALIASES: &[(&str, &str)] = &[
     ("ratsimp", "simplify"),
     ("multiply_out", "expand"),
     ("reduced_row_echelon_form", "row_echelon"),
-    ("de_boor", "deboor"),
-    ("de_casteljau", "casteljau"),
     ("invert", "inverse"),
     ("maximum_value", "maximum"),
     ("minimum_value", "minimum"),

@@ -32,6 +32,15 @@ pub(crate) fn is_binomial_coefficient(letter: &Expr, lower: &[Expr], upper: &Exp
         && is_index(upper)
 }
 
+/// The letter of Bernstein polynomials: B_i^n.
+pub(crate) const BERNSTEIN: &str = "B";
+
+/// The letter of B-splines: N_i^k.
+pub(crate) const SPLINE: &str = "N";
+
+/// The letters of Lagrange polynomials, which have no values without their nodes: L_i, \ell_i.
+pub(crate) const LAGRANGE: &[&str] = &["L", "l", "ell"];
+
 /// What a family consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Family {
@@ -66,7 +75,7 @@ pub(crate) struct Notation {
 /// All notations.
 const NOTATIONS: &[Notation] = &[
     Notation {
-        letter: "B",
+        letter: BERNSTEIN,
         lower: 1,
         upper: 1,
         family: Family::Bernstein,
@@ -75,7 +84,7 @@ const NOTATIONS: &[Notation] = &[
     },
     // Other books have the degree first.
     Notation {
-        letter: "B",
+        letter: BERNSTEIN,
         lower: 2,
         upper: 0,
         family: Family::Bernstein,
@@ -83,7 +92,7 @@ const NOTATIONS: &[Notation] = &[
         function: Some(("bernstein", &[1, 0])),
     },
     Notation {
-        letter: "B",
+        letter: BERNSTEIN,
         lower: 3,
         upper: 1,
         family: Family::Triangular,
@@ -109,7 +118,7 @@ const NOTATIONS: &[Notation] = &[
     },
     // Of order k in some books, of degree k in others.
     Notation {
-        letter: "N",
+        letter: SPLINE,
         lower: 1,
         upper: 1,
         family: Family::Spline,
@@ -117,7 +126,7 @@ const NOTATIONS: &[Notation] = &[
         function: None,
     },
     Notation {
-        letter: "N",
+        letter: SPLINE,
         lower: 2,
         upper: 0,
         family: Family::Spline,

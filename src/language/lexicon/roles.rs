@@ -7,8 +7,8 @@ use crate::formula::{Expr, Kind};
 /// Functions when they have no value: `f(t + 1)` is then a question.
 pub(crate) const FUNCTIONS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
 
-/// Families of functions when they have indices but no value.
-pub(crate) const FAMILIES: &[&str] = &["B", "N", "L", "H", "T"];
+/// Families of functions when they have indices but no value: Lagrange's, Hermite's, Chebyshev's besides those with notations.
+pub(crate) const FAMILIES: &[&str] = &[families::BERNSTEIN, families::SPLINE, "L", "H", "T"];
 
 /// Functions, too; with indices they are points or numbers.
 const POLYNOMIALS: &[&str] = &["p", "q"];
@@ -46,8 +46,43 @@ const OTHER_VARIABLES: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
 const FACTORS: &[&str] =
     &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
 
-/// Control points when they have indices.
+/// Control points of the curve with the same letter.
 const CONTROL_POINTS: &[&str] = &["b", "p", "P"];
+
+/// What the members of a list are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Listed {
+    /// Control points.
+    Points,
+    /// Knots.
+    Knots,
+    /// Nodes of an interpolation.
+    Nodes,
+    /// Values at nodes.
+    Values,
+    /// Weights.
+    Weights,
+    /// Lengths of intervals.
+    Lengths,
+    /// Slopes at nodes.
+    Slopes,
+}
+
+/// What letters stand for when they have an index or are a list.
+const LISTS: &[(Listed, &[&str])] = &[
+    (Listed::Points, &["b", "c", "d", "p", "q", "B", "C", "D", "P", "Q", "V"]),
+    (Listed::Knots, &["t", "u", "T", "U", "tau", "xi", "knots"]),
+    (Listed::Nodes, &["x"]),
+    (Listed::Values, &["y"]),
+    (Listed::Weights, &["w", "omega"]),
+    (Listed::Lengths, &["h"]),
+    (Listed::Slopes, &["m"]),
+];
+
+/// What a letter usually stands for when it has an index or is a list.
+pub(crate) fn listed(letter: &str) -> Option<Listed> {
+    LISTS.iter().find(|(_, letters)| letters.contains(&letter)).map(|(what, _)| *what)
+}
 
 /// Places that exist somewhere, in mean value theorems and remainders.
 const INTERMEDIATE: &[&str] = &["xi", "eta", "zeta"];

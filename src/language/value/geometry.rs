@@ -5,6 +5,7 @@ use num_traits::{One, Zero};
 use super::piecewise::free_parameter;
 use super::{Value, polynomial_expr, symbol_expr};
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::lexicon::families;
 use crate::math::curve::{BezierCurve, CurveError, Interval, Point, TensorPatch, TrianglePatch, indices};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -231,11 +232,13 @@ impl Geometry {
             Geometry::Bezier(curve, form) => {
                 let (a, b) = curve.interval().ends();
                 let interval = Interval::new(a.clone(), b.clone()).expect("the ends differ");
-                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, parameter)]);
+                let basis = |i: usize| {
+                    family(families::BERNSTEIN, &[i], curve.degree(), vec![local(&interval, parameter)])
+                };
                 self.combination(curve.points(), *form, &basis)
             }
             Geometry::Spline(spline, form) => {
-                let basis = |i: usize| family("N", &[i], spline.degree(), vec![t()]);
+                let basis = |i: usize| family(families::SPLINE, &[i], spline.degree(), vec![t()]);
                 let body = self.combination(spline.points(), *form, &basis);
                 Kind::Sequence(vec![body, knots_expr(&parameter.to_string(), spline.knots().knots())]).into()
             }
@@ -243,23 +246,30 @@ impl Geometry {
                 let (m, n) = patch.degrees();
                 let basis = |k: usize| {
                     let (i, j) = (k / (n + 1), k % (n + 1));
-                    let left = family("B", &[i], m, vec![local(patch.u(), &Symbol::new("u"))]);
-                    Expr::product(vec![left, family("B", &[j], n, vec![local(patch.v(), &Symbol::new("v"))])])
+                    let left =
+                        family(families::BERNSTEIN, &[i], m, vec![local(patch.u(), &Symbol::new("u"))]);
+                    Expr::product(vec![
+                        left,
+                        family(families::BERNSTEIN, &[j], n, vec![local(patch.v(), &Symbol::new("v"))]),
+                    ])
                 };
                 self.combination(&patch.net().concat(), *form, &basis)
             }
             Geometry::Triangle(patch, form) => {
                 let places = indices(patch.degree());
                 let point = ["u", "v", "w"].map(Expr::name).to_vec();
-                let basis = |k: usize| family("B", &places[k], patch.degree(), point.clone());
+                let basis = |k: usize| family(families::BERNSTEIN, &places[k], patch.degree(), point.clone());
                 self.combination(patch.points(), *form, &basis)
             }
             Geometry::Surface(surface, form) => {
                 let (u, v) = surface.knots();
                 let columns = v.count();
                 let basis = |k: usize| {
-                    let left = family("N", &[k / columns], u.degree(), vec![Expr::name("u")]);
-                    Expr::product(vec![left, family("N", &[k % columns], v.degree(), vec![Expr::name("v")])])
+                    let left = family(families::SPLINE, &[k / columns], u.degree(), vec![Expr::name("u")]);
+                    Expr::product(vec![
+                        left,
+                        family(families::SPLINE, &[k % columns], v.degree(), vec![Expr::name("v")]),
+                    ])
                 };
                 let body = self.combination(&surface.net().concat(), *form, &basis);
                 let knots = [("u", u), ("v", v)].map(|(name, knots)| knots_expr(name, knots.knots()));

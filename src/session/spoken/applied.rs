@@ -5,6 +5,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Sign, Term, applied, call, named};
 use crate::language::eval;
 use crate::language::functions::{Takes, builtin};
+use crate::language::lexicon::families::BERNSTEIN;
 
 /// A call of a function that says how often: elevate(c) twice.
 pub(super) fn repeated(called: &Expr, count: &Expr) -> Option<Expr> {
@@ -97,7 +98,7 @@ impl Draft {
         // The largest value of B_i^n is meant on [0, 1].
         if matches!(self.builtin.name, "maximum" | "minimum")
             && let [Expr { kind: Kind::Pow(base, _), .. }] = self.placed.as_slice()
-            && matches!(&base.kind, Kind::Subscript(letter, _) if matches!(&letter.kind, Kind::Name(name) if name == "B"))
+            && matches!(&base.kind, Kind::Subscript(letter, _) if matches!(&letter.kind, Kind::Name(name) if name == BERNSTEIN))
             && self.named.is_empty()
         {
             self.named.extend([("a", Expr::int(0)), ("b", Expr::int(1))]);

@@ -5,17 +5,18 @@ use super::Read;
 use super::draft::is_points;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::phrases::Label;
+use crate::language::lexicon::roles::{Listed, listed};
 use crate::language::write;
 
 /// What a list with this letter is.
 fn role(letter: &str) -> Option<Label> {
-    Some(match letter {
-        "b" | "c" | "d" | "p" | "B" | "C" | "D" | "P" => Label::Points,
-        "w" => Label::Weights,
-        "t" | "u" | "T" | "U" | "tau" | "knots" => Label::Knots,
-        "x" => Label::Nodes,
-        "y" => Label::Values,
-        _ => return None,
+    Some(match listed(letter)? {
+        Listed::Points => Label::Points,
+        Listed::Weights => Label::Weights,
+        Listed::Knots => Label::Knots,
+        Listed::Nodes => Label::Nodes,
+        Listed::Values => Label::Values,
+        Listed::Lengths | Listed::Slopes => return None,
     })
 }
 

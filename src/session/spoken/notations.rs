@@ -4,6 +4,7 @@ use super::Read;
 use super::draft::list;
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
 use crate::language::eval;
+use crate::language::lexicon::families;
 use crate::language::lexicon::phrases::Label;
 
 /// A formula whose notations are calls, and the function that they call.
@@ -27,8 +28,8 @@ pub(super) fn with_values(formula: &Expr, said: &mut Vec<Read>) -> Option<Meant>
         said.iter().position(|read| read.label == label || label == Label::Knots && is_knots(read))
     };
     for (label, function, letters) in [
-        (Label::Knots, "bspline_basis", ["N", "B"].as_slice()),
-        (Label::Nodes, "lagrange_basis", ["L", "l", "ell"].as_slice()),
+        (Label::Knots, "bspline_basis", [families::SPLINE, families::BERNSTEIN].as_slice()),
+        (Label::Nodes, "lagrange_basis", families::LAGRANGE),
         (Label::Points, "bezier", ["b"].as_slice()),
     ] {
         let Some(at) = find(label) else { continue };

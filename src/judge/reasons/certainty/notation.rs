@@ -11,6 +11,7 @@ use crate::judge::page::topic::Topic;
 use crate::judge::written::bare::is_word;
 use crate::judge::written::features::is_repeated;
 use crate::judge::written::names::{Head, bases, is_index_letter, walk};
+use crate::language::lexicon::families;
 use crate::language::lexicon::letters;
 use crate::language::write;
 use crate::math::poly::Symbol;
@@ -261,8 +262,9 @@ impl Suspect<'_> {
         }
         let topics = self.statement.topics;
         let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_bernstein()));
-        let agreed =
-            |(letter, place): &(String, Place)| letter == "B" && self.statement.place.knows(place, false);
+        let agreed = |(letter, place): &(String, Place)| {
+            letter == families::BERNSTEIN && self.statement.place.knows(place, false)
+        };
         let told = topics.has(Topic::Bernstein)
             || self.checker.context.letters.binomial_family
             || self.checker.agreed.iter().any(agreed);

@@ -6,6 +6,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
+use crate::language::lexicon::families;
 use crate::language::ops::errors::{piecewise_error, spline_error, wrong_kind};
 use crate::language::value::{Geometry, Value, polynomial_expr, symbol_expr};
 use crate::math::basis::bernstein_to_power;
@@ -50,7 +51,7 @@ pub(super) fn basis(args: &Arguments) -> Evaluated {
                 interval: interval.clone(),
                 coefficients: powers.column(i).iter().cloned().collect(),
             }],
-            label: named.then(|| member("B", i, n)),
+            label: named.then(|| member(families::BERNSTEIN, i, n)),
         };
         let picture = BasisPicture {
             height: HEIGHT,
@@ -64,8 +65,10 @@ pub(super) fn basis(args: &Arguments) -> Evaluated {
     let knots = KnotVector::new(n, numbers(&args.scalars(1)?, span)?).map_err(spline_error).at(span)?;
     let named = named(args, knots.count())?;
     let functions = knots.basis_functions().into_iter().enumerate();
-    let functions = functions
-        .map(|(i, function)| Function { pieces: pieces(&function), label: named.then(|| member("N", i, n)) });
+    let functions = functions.map(|(i, function)| Function {
+        pieces: pieces(&function),
+        label: named.then(|| member(families::SPLINE, i, n)),
+    });
     let interval = match knots.knots() {
         [first, .., last] => [first.clone(), last.clone()],
         _ => [integer(0), integer(0)],
