@@ -9,7 +9,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use inputs::{expected, in_w2, in_w3, in_w7, in_w8, modp, point};
 use polarform::blossom::laws::Arrangement;
 use polarform::blossom::{Evaluator, PolarForm, expand_univariate};
-use polarform::number::{Int, Rational, integer};
+use polarform::interval::Interval;
+use polarform::number::{Int, Rational};
 use polarform::poly::Symbol;
 use polarform::session::Session;
 use polarform::write::{Format, write_expanded};
@@ -105,7 +106,7 @@ fn control_points(c: &mut Criterion) {
     group.bench_function("elevate 100 -> 200", |b| {
         b.iter(|| {
             let form = PolarForm::from_bezier_points(black_box(&points)).expect("there are points");
-            form.elevate(100).bezier_points(&integer(0), &integer(1))
+            form.elevate(100).bezier_points(&Interval::unit())
         });
     });
     group.finish();

@@ -8,6 +8,7 @@ use polarform::blossom::{
     Argument, Evaluator, Method, PolarForm, TensorPolarForm, TotalDegreePolarForm, expand_univariate,
     symmetrize,
 };
+use polarform::interval::Interval;
 use polarform::linalg::multiply;
 use polarform::number::{Rational, integer, rational};
 use polarform::poly::{MultiPoly, Poly, Symbol};
@@ -128,13 +129,13 @@ proptest! {
         let form = PolarForm::new(c.clone());
         // Over [0, 1]: by the matrix, by the polar form, and back.
         let points = times(&power_to_bernstein(n), &c);
-        prop_assert_eq!(&points, &form.bezier_points(&integer(0), &integer(1)));
+        prop_assert_eq!(&points, &form.bezier_points(&Interval::unit()));
         prop_assert_eq!(&times(&bernstein_to_power(n), &points), &c);
         prop_assert_eq!(de_casteljau(points, &integer(0), &integer(1), &t), form.value(&t).unwrap());
         prop_assume!(a != b);
         // Over [a, b], reversed intervals included.
-        let points = form.bezier_points(&a, &b);
-        let to = Basis::Bernstein { a: a.clone(), b: b.clone() };
+        let points = form.bezier_points(&Interval::new(a.clone(), b.clone()).unwrap());
+        let to = Basis::Bernstein(Interval::new(a.clone(), b.clone()).unwrap());
         let matrix = change_of_basis(n, &Basis::Power, &to).unwrap();
         prop_assert_eq!(&times(&matrix, &c), &points);
         prop_assert_eq!(de_casteljau(points.clone(), &a, &b, &vec![x.clone(); n]), horner(&c, &x));
@@ -142,7 +143,7 @@ proptest! {
         let values = evaluate_basis(n, &to, &x).unwrap();
         let sum = values.iter().zip(&points).fold(Rational::zero(), |sum, (v, p)| sum + v * p);
         prop_assert_eq!(sum, horner(&c, &x));
-        prop_assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b).unwrap(), form);
+        prop_assert_eq!(PolarForm::from_bezier_points_over(&points, &Interval::new(a.clone(), b.clone()).unwrap()).unwrap(), form);
     }
 
     #[test]
@@ -182,7 +183,7 @@ proptest! {
         let value = form.value(&arguments).unwrap();
         arguments.reverse();
         prop_assert_eq!(form.value(&arguments).unwrap(), value.clone());
-        let points = form.bezier_points(&integer(0), &integer(1));
+        let points = form.bezier_points(&Interval::unit());
         prop_assert_eq!(de_casteljau(points, &integer(0), &integer(1), &arguments), value);
     }
 }
@@ -386,7 +387,7 @@ fn degenerate_forms() {
         let form = PolarForm::new(vec![constant.clone()]);
         assert_eq!(form.degree(), 0);
         assert_eq!(form.value(none), Ok(constant.clone()));
-        assert_eq!(form.bezier_points(&integer(0), &integer(1)), vec![constant.clone()]);
+        assert_eq!(form.bezier_points(&Interval::unit()), vec![constant.clone()]);
         assert_eq!(form.elevate(4).value(&[1, 2, 3, 4].map(integer)), Ok(constant.clone()));
         assert_eq!(*form.derivative(1).diagonal(), *none);
         for method in Method::ALL {
@@ -418,6 +419,6 @@ fn huge_coefficients() {
     for method in Method::ALL {
         assert_eq!(form.derive(method, &huge).form.value(&t), Ok(right.clone()), "{method}");
     }
-    let points = form.bezier_points(&tiny, &huge);
+    let points = form.bezier_points(&Interval::new(tiny.clone(), huge.clone()).unwrap());
     assert_eq!(de_casteljau(points, &tiny, &huge, &t), right);
 }

@@ -6,6 +6,7 @@ pub mod basis;
 pub mod blossom;
 pub mod curve;
 pub mod interpolate;
+pub mod interval;
 pub mod linalg;
 pub mod number;
 pub mod piecewise;

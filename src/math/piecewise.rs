@@ -14,11 +14,9 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_traits::{Signed, Zero};
-
 use crate::budget;
 use crate::math::poly::Coefficients;
-use crate::math::ring::Ring;
+use crate::math::ring::{Ring, compare};
 
 /// What a piecewise polynomial is outside of its breakpoints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,23 +64,6 @@ impl fmt::Display for PiecewiseError {
 }
 
 impl std::error::Error for PiecewiseError {}
-
-/// How two parameters are ordered, if their difference is a number.
-///
-/// ```
-/// use polarform::{number::rational, piecewise::compare};
-/// assert_eq!(compare(&rational(1, 3), &rational(1, 2)), Some(std::cmp::Ordering::Less));
-/// ```
-pub fn compare<C: Ring>(x: &C, y: &C) -> Option<Ordering> {
-    let difference = x.minus(y).as_rational()?;
-    Some(if difference.is_zero() {
-        Ordering::Equal
-    } else if difference.is_negative() {
-        Ordering::Less
-    } else {
-        Ordering::Greater
-    })
-}
 
 /// A piecewise polynomial.
 #[derive(Clone, Debug, PartialEq)]

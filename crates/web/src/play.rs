@@ -61,7 +61,7 @@ fn bspline(request: &Request, points: Vec<Vec<Rational>>, t: &Rational) -> Resul
     let list_of_knots = numbers(request.get("knots").ok_or("a spline has knots")?, "the knots")?;
     let knots = KnotVector::new(degree, list_of_knots.clone()).map_err(|error| error.to_string())?;
     let spline = BSpline::new(knots.clone(), points.clone()).map_err(|error| error.to_string())?;
-    let (a, b) = spline.domain();
+    let (a, b) = spline.interval().ends();
     let span = knots.span_of(t).map_err(|error| error.to_string())?;
     let scheme = spline.de_boor(span, &vec![t.clone(); degree]).map_err(|error| error.to_string())?;
     let pieces = spline.bezier_pieces();

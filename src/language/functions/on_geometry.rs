@@ -296,7 +296,7 @@ fn bezier_points(args: &Arguments) -> Evaluated {
             let a = a.unwrap_or_else(|| curve.interval().start().clone());
             let b = b.unwrap_or_else(|| a.plus(&Fraction::one()));
             let place = if args.given(1).is_some() { 1 } else { 2 };
-            curve.part(&a, &b).map_err(curve_error).at(args.span(place))?
+            curve.part(Interval::new(a, b).map_err(curve_error).at(args.span(place))?)
         }
     };
     match form.split(curve.points()) {

@@ -29,6 +29,7 @@ mod matrices;
 
 use std::fmt;
 
+use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
 pub use bernstein::{bernstein, bernstein_all};
@@ -50,20 +51,10 @@ pub enum Basis<F> {
         at: F,
     },
     /// φ_j = B_j^n((t − a)/(b − a)); the coefficients are the Bézier ordinates over [a, b].
-    Bernstein {
-        /// The start of the interval.
-        a: F,
-        /// Its end, different from `a`.
-        b: F,
-    },
+    Bernstein(Interval<F>),
     /// φ_j = P_j((2t − a − b)/(b − a)), the Legendre polynomials of the interval [a, b]: orthogonal there, 1 at b.
     /// The Bézier ordinates of φ_j over [a, b] are (−1)^{i+j} C(j, i).
-    Legendre {
-        /// The start of the interval.
-        a: F,
-        /// Its end, different from `a`.
-        b: F,
-    },
+    Legendre(Interval<F>),
     /// φ_j = ∏_{k≠j} (t − x_k)/(x_j − x_k) for n+1 distinct nodes; the coefficients are the
     /// values f(x_j).
     Lagrange(Vec<F>),
@@ -74,19 +65,12 @@ pub enum Basis<F> {
     Newton(Vec<F>),
     /// The basis dual to f(a), f'(a), …, f^{(m−1)}(a), f(b), f'(b), …, f^{(m−1)}(b), in this
     /// order, where n + 1 = 2m. For n = 3 these are the cubic Hermite polynomials.
-    HermiteEndpoints {
-        /// The first end.
-        a: F,
-        /// The second end, different from `a`.
-        b: F,
-    },
+    HermiteEndpoints(Interval<F>),
 }
 
 /// Why there is no such basis, or no such matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BasisError {
-    /// The two ends of the interval are equal.
-    EqualEnds,
     /// Two nodes of a Lagrange basis are equal.
     EqualNodes {
         /// Index of the first of them.
@@ -118,7 +102,6 @@ pub enum BasisError {
 impl fmt::Display for BasisError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BasisError::EqualEnds => f.write_str("the two ends of the interval are equal"),
             BasisError::EqualNodes { first, second } => {
                 write!(f, "the nodes x_{first} and x_{second} are equal")
             }
@@ -147,7 +130,7 @@ impl<F: Field> Basis<F> {
     /// comparisons for nodes, otherwise none to speak of.
     ///
     /// # Errors
-    /// The [`BasisError`] that says which nodes or ends are wrong.
+    /// The [`BasisError`] that says which nodes are wrong.
     ///
     /// ```
     /// use polarform::basis::{Basis, BasisError};
@@ -159,16 +142,9 @@ impl<F: Field> Basis<F> {
     pub fn validate(&self, n: usize) -> Result<(), BasisError> {
         match self {
             Basis::Power | Basis::Taylor { .. } => Ok(()),
-            Basis::Bernstein { a, b } | Basis::Legendre { a, b } | Basis::HermiteEndpoints { a, b }
-                if a == b =>
-            {
-                Err(BasisError::EqualEnds)
-            }
-            Basis::Bernstein { .. } | Basis::Legendre { .. } => Ok(()),
-            Basis::HermiteEndpoints { .. } if n.is_multiple_of(2) => {
-                Err(BasisError::EvenDegree { degree: n })
-            }
-            Basis::HermiteEndpoints { .. } => Ok(()),
+            Basis::Bernstein(_) | Basis::Legendre(_) => Ok(()),
+            Basis::HermiteEndpoints(_) if n.is_multiple_of(2) => Err(BasisError::EvenDegree { degree: n }),
+            Basis::HermiteEndpoints(_) => Ok(()),
             Basis::Newton(nodes) if nodes.len() == n => Ok(()),
             Basis::Newton(nodes) | Basis::Lagrange(nodes) if nodes.len().checked_sub(1) != Some(n) => {
                 Err(BasisError::NodeCount { degree: n, given: nodes.len() })

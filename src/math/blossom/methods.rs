@@ -12,6 +12,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::polar_form::PolarForm;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, binomial, binomial_row, factorial};
 use crate::math::poly::Coefficients;
 use crate::math::ring::Ring;
@@ -353,7 +354,7 @@ fn laguerre<C: Ring>(c: &[C]) -> Outcome<C> {
 
 fn bezier<C: Ring>(c: &[C]) -> Outcome<C> {
     let n = c.len() - 1;
-    let points = PolarForm::new(c.to_vec()).bezier_points(&C::zero(), &C::one());
+    let points = PolarForm::new(c.to_vec()).bezier_points(&Interval::unit());
     let mut weights = vec![C::zero(); n + 1];
     let mut steps = Vec::with_capacity(n + 1);
     for (i, point) in points.into_iter().enumerate() {

@@ -152,8 +152,7 @@ impl<C: Field> TrianglePatch<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::curve::domain::Interval;
-    use crate::math::curve::{Vector, patch, triangle};
+    use crate::math::curve::{Interval, Vector, patch, triangle};
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
     use proptest::prelude::*;

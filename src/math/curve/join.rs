@@ -138,7 +138,7 @@ mod tests {
             let (_, b) = f.interval().ends();
             let c = b + z(extra);
             // The continuation of f, changed from control point k + 1 on: exactly C^k.
-            let mut points = f.part(b, &c).unwrap().points().to_vec();
+            let mut points = f.part(Interval::new(b.clone(), c.clone()).unwrap()).points().to_vec();
             if k < n {
                 points[k + 1][0] += z(1);
             }

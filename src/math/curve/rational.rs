@@ -152,10 +152,8 @@ impl<C: Field> RationalCurve<C> {
 
     /// The same curve over [r, s].
     ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if r = s.
-    pub fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
-        Ok(RationalCurve { homogeneous: self.homogeneous.part(r, s)? })
+    pub fn part(&self, interval: Interval<C>) -> Self {
+        RationalCurve { homogeneous: self.homogeneous.part(interval) }
     }
 
     /// The same curve of degree n + by.
@@ -336,8 +334,7 @@ pub(super) mod tests {
             if let Ok((left, right)) = curve.subdivide(&q(1, 7)) {
                 prop_assert_eq!(&left.value(&t), &value);
                 prop_assert_eq!(&right.value(&t), &value);
-                let (a, b) = right.interval().ends();
-                prop_assert_eq!(&curve.part(a, b).unwrap(), &right);
+                prop_assert_eq!(&curve.part(right.interval().clone()), &right);
             }
         }
 

@@ -8,13 +8,14 @@
 //! References: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002), chapters 16 and 17;
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), section 4.5.
 
-use super::domain::{Corner, Interval, Triangle};
+use super::domain::{Corner, Triangle};
 use super::patch::{Direction, Side, TensorPatch, minus};
 use super::projective::{check_weight, lifted, lifted_net, parted, projected, quotient_derivatives};
 use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
 use super::{BezierCurve, CurveError, Point, Vector, polygon};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::ring::{Field, Ring};
 
 /// A rational tensor-product patch.

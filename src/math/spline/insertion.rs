@@ -60,9 +60,10 @@ impl<C: Field> BSpline<C> {
     /// As [`KnotVector::span_of`]; [`SplineError::Multiplicity`] for a knot that is there n + 1 times.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let knots = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let s = BSpline::new(knots, vec![vec![z(0)], vec![z(4)]])?.insert(&q(1, 4))?;
     /// assert_eq!(s.points(), [[z(0)], [z(1)], [z(4)]]);
     /// # Ok::<(), polarform::spline::SplineError>(())
@@ -145,7 +146,7 @@ impl<C: Field> BSpline<C> {
         if finer.degree() != n {
             return Err(crate::math::curve::CurveError::Degrees { left: n, right: finer.degree() }.into());
         }
-        if finer.domain()? != self.domain() {
+        if finer.interval()? != self.interval() {
             return Err(SplineError::Domains);
         }
         for (knot, multiplicity) in self.inner_knots() {
@@ -190,7 +191,7 @@ impl<C: Field> BSpline<C> {
     ) -> Result<Self, SplineError> {
         let n = knots.degree();
         let spans = knots.spans();
-        if spans.is_empty() || knots.domain()? != self.domain() {
+        if spans.is_empty() || knots.interval()? != self.interval() {
             return Err(SplineError::Domains);
         }
         // Which piece of self each span of the new knots lies on.
@@ -234,7 +235,7 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::NotAKnot`] if it does not occur so often inside of the domain; with
     /// `Ok(Err(defect))` the derivative whose jump is in the way.
     pub fn remove(&self, t: &C, times: usize) -> Result<Result<Self, Defect<C>>, SplineError> {
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let multiplicity = if t == start || t == end { 0 } else { self.knots().multiplicity(t) };
         if multiplicity < times || multiplicity == 0 {
             return Err(SplineError::NotAKnot { multiplicity, times });
@@ -289,7 +290,7 @@ impl<C: Field> BSpline<C> {
 
 /// The interval of sorted knots that holds t, by bisection where all comparisons are possible.
 fn place<C: Field>(knots: &[C], t: &C) -> Result<usize, SplineError> {
-    use crate::math::piecewise::compare;
+    use crate::math::ring::compare;
     use std::cmp::Ordering;
     let (mut low, mut high) = (0, knots.len() - 1);
     if compare(&knots[low], t).is_none_or(|order| order == Ordering::Greater)

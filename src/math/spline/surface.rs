@@ -39,10 +39,11 @@ impl<C: Field> SplineSurface<C> {
     /// [`CurveError::RaggedNet`], points of different dimensions, [`SplineError::NoDomain`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let u = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
-    /// let v = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let u = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
+    /// let v = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let heights = [[0, 0], [1, 3], [2, 2]];
     /// let net = heights.map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(u, v, net)?;
@@ -66,7 +67,7 @@ impl<C: Field> SplineSurface<C> {
                 let (degree, knots) = (knots.degree(), knots.knots().len());
                 return Err(SplineError::PointCount { points, knots, degree });
             }
-            knots.domain()?;
+            knots.interval()?;
         }
         Ok(SplineSurface { u, v, net })
     }
@@ -180,9 +181,10 @@ impl<C: Field> SplineSurface<C> {
     ///
     /// ```
     /// use polarform::curve::Direction;
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let knots = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let knots = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let net = [[0, 2], [4, 6]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(knots.clone(), knots, net)?;
     /// let (left, right) = s.subdivide(Direction::U, &q(1, 2))?;
@@ -208,8 +210,8 @@ impl<C: Field> SplineSurface<C> {
     /// # Errors
     /// As [`BSpline::part`].
     pub fn part(&self, u: Interval<C>, v: Interval<C>) -> Result<Self, SplineError> {
-        self.along(Direction::U, |spline| spline.part(u.start(), u.end()))?
-            .along(Direction::V, |spline| spline.part(v.start(), v.end()))
+        self.along(Direction::U, |spline| spline.part(u.clone()))?
+            .along(Direction::V, |spline| spline.part(v.clone()))
     }
 
     /// The Bézier patch of the knot intervals of (u, v).
@@ -218,9 +220,10 @@ impl<C: Field> SplineSurface<C> {
     /// As [`KnotVector::span_of`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let net = [[0, 1, 0], [1, 4, 1], [0, 1, 0]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(knots.clone(), knots, net)?;
     /// let patch = s.patch_at(&q(1, 2), &q(3, 2))?;
@@ -293,7 +296,7 @@ mod tests {
     fn surface() -> impl Strategy<Value = SplineSurface<Rational>> {
         let heights = prop::collection::vec(prop::collection::vec(-9i64..10, 2), 20);
         heights.prop_map(|points| {
-            let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(3)).unwrap();
+            let u = KnotVector::clamped(2, &[z(1), z(1)], &Interval::new(z(0), z(3)).unwrap()).unwrap();
             let v = KnotVector::uniform(3, 4, &z(-3), &z(1)).unwrap();
             let point = |k: usize| -> Point<Rational> { points[k].iter().map(|&x| z(x)).collect() };
             let net = (0..5).map(|i| (0..4).map(|j| point(4 * i + j)).collect()).collect();
@@ -332,7 +335,7 @@ mod tests {
             };
             let (us, vs) = (behind(&u, 3), behind(&v, 1));
             let part = s.part(us.clone(), vs.clone()).unwrap();
-            prop_assert_eq!((part.knots().0.domain(), part.knots().1.domain()), (Ok(us.ends()), Ok(vs.ends())));
+            prop_assert_eq!((part.knots().0.interval(), part.knots().1.interval()), (Ok(&us), Ok(&vs)));
             let inside = |i: &Interval<Rational>| (i.start() + i.end() * z(2)) / z(3);
             for (u, v) in [(us.start(), vs.end()), (us.end(), &inside(&vs)), (&inside(&us), &inside(&vs))] {
                 prop_assert_eq!(part.value(u, v), s.value(u, v));
@@ -342,7 +345,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_said() {
-        let knots = || KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
+        let knots = || KnotVector::clamped(1, &[], &Interval::unit()).unwrap();
         let row = || vec![vec![z(0)], vec![z(1)]];
         let ragged = SplineSurface::new(knots(), knots(), vec![row(), vec![vec![z(0)]]]);
         assert!(matches!(ragged, Err(SplineError::Curve(CurveError::RaggedNet { row: 1, .. }))));

@@ -270,13 +270,14 @@ pub struct PolynomialFit<C, V = C> {
 /// ```
 /// use polarform::basis::Basis;
 /// use polarform::interpolate::{FitOptions, fit_polynomial};
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// // the straight line closest to 0, 1, 1, 2 at 0, 1, 2, 3
 /// let fit = fit_polynomial(&[0, 1, 2, 3].map(z), &[0, 1, 1, 2].map(z), 1, FitOptions::default())?;
 /// assert_eq!(fit.power, [q(1, 10), q(3, 5)]);
 /// assert_eq!(fit.solution.squared_norm, q(1, 5));
 /// // the same line by its Bézier ordinates over [0, 3]
-/// let options = FitOptions { basis: Basis::Bernstein { a: z(0), b: z(3) }, ..FitOptions::default() };
+/// let options = FitOptions { basis: Basis::Bernstein(Interval::new(z(0), z(3)).unwrap()), ..FitOptions::default() };
 /// let fit = fit_polynomial(&[0, 1, 2, 3].map(z), &[0, 1, 1, 2].map(z), 1, options)?;
 /// assert_eq!(fit.solution.coefficients, [q(1, 10), q(19, 10)]);
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
