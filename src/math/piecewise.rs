@@ -216,8 +216,13 @@ impl<C: Ring> Piecewise<C> {
         }
     }
 
+    /// The derivative on each piece.
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// The k-th derivative on each piece.
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let pieces = self.pieces.iter().map(|piece| piece.nth_derivative(k));
         Piecewise { pieces: pieces.collect(), ..self.clone() }.settled()
     }
@@ -432,8 +437,8 @@ mod tests {
         assert_eq!(hat.integral(), z(1));
         assert_eq!(hat.antiderivative().value(&z(2)), Ok(z(1)));
         assert_eq!(hat.antiderivative().smoothness(1), Some(1));
-        assert_eq!(hat.derivative(1).smoothness(1), None);
-        assert_eq!(hat.antiderivative().derivative(1).pieces(), hat.pieces());
+        assert_eq!(hat.derivative().smoothness(1), None);
+        assert_eq!(hat.antiderivative().derivative().pieces(), hat.pieces());
         assert_eq!(hat.antiderivative().value(&z(3)), Err(PiecewiseError::OutsideDomain));
     }
 

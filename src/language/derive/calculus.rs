@@ -29,7 +29,7 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         given(Expr::name("F"), &polar, Reason::DegreeAtMost(n)),
         line(polar.equation(Expr::name("f"), Notation::Grouped), Reason::PolarFormOf("F")),
     ];
-    let result = grouped_expr(&univariate(form.derivative(k.min(n + 1)), variable).diagonal());
+    let result = grouped_expr(&univariate(form.nth_derivative(k.min(n + 1)), variable).diagonal());
     let title = Title::Derivative(k).words();
     if k > n {
         lines.push(line(chain([left(), Expr::int(0)]), Reason::MoreHatsThanArguments { n, k }));

@@ -160,7 +160,7 @@ pub fn dual_bernstein(n: usize) -> DMatrix<Rational> {
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
 pub fn energy<C: Field>(curve: &BezierCurve<C>, r: usize) -> C {
-    let derived = curve.derivative(r);
+    let derived = curve.nth_derivative(r);
     (0..derived.dimension()).fold(C::zero(), |sum, k| {
         let coordinate: Vec<Vec<C>> = derived.points().iter().map(|point| vec![point[k].clone()]).collect();
         let function = BezierCurve::new(coordinate, derived.interval().clone()).expect("as many points");

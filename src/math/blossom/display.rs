@@ -2,7 +2,7 @@
 
 use std::fmt::{Debug, Display, Formatter, Result};
 
-use super::{Derivation, PolarForm, TensorPolarForm};
+use super::{PolarForm, TensorPolarForm, Worked};
 use crate::math::number::Combinations;
 use crate::math::ring::Ring;
 
@@ -60,9 +60,9 @@ impl<C: Ring + Display> Debug for TensorPolarForm<C> {
     }
 }
 
-impl<C: Ring + Display> Debug for Derivation<C> {
+impl<C: Ring + Display> Debug for Worked<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        f.debug_struct("Derivation")
+        f.debug_struct("Worked")
             .field("method", &self.method)
             .field("steps", &self.steps)
             .field("form", &self.form)

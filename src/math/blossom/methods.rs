@@ -151,7 +151,7 @@ pub enum Step<C> {
 
 /// A polar form with the way it was found.
 #[derive(Clone, PartialEq)]
-pub struct Derivation<C> {
+pub struct Worked<C> {
     /// The method.
     pub method: Method,
     /// Its steps, in order.
@@ -174,7 +174,7 @@ impl<C: Ring> PolarForm<C> {
     ///     assert_eq!(f.derive(method, &integer(7)).form, f);
     /// }
     /// ```
-    pub fn derive(&self, method: Method, tau: &C) -> Derivation<C> {
+    pub fn derive(&self, method: Method, tau: &C) -> Worked<C> {
         let c = self.coefficients();
         let (weights, steps) = match method {
             Method::Elementary => elementary(c),
@@ -187,7 +187,7 @@ impl<C: Ring> PolarForm<C> {
         let row = binomial_row(self.degree());
         let coefficients =
             weights.iter().zip(row).map(|(w, b)| w.scaled(&Rational::from_integer(b))).collect();
-        Derivation { method, steps, form: PolarForm::new(coefficients) }
+        Worked { method, steps, form: PolarForm::new(coefficients) }
     }
 }
 

@@ -154,7 +154,7 @@ mod tests {
             for _ in 0..k {
                 list = list.iter().enumerate().skip(1).map(|(i, c)| c * integer(i as i64)).collect();
             }
-            let derivative = f.derivative(k);
+            let derivative = f.nth_derivative(k);
             let expected = list.iter().rev().fold(integer(0), |s, c| s * integer(t) + c);
             let value = derivative.value(&vec![integer(t); derivative.degree()]);
             assert_eq!(value, Ok(expected));

@@ -16,7 +16,7 @@
 use std::any::Any;
 use std::fmt;
 
-use super::evaluator::Evaluator;
+use super::evaluator::PreparedForm;
 use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, binomials_where};
 use crate::math::poly::Coefficients;
@@ -200,7 +200,7 @@ impl<C: Ring> PolarForm<C> {
     /// f at points, or at points and vectors, mixed.
     ///
     /// Cost: O(n²) ring operations; over Q word operations on integers with one reduction
-    /// at the end (prepare an [`Evaluator`] for many values of one form).
+    /// at the end (prepare an [`PreparedForm`] for many values of one form).
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] unless exactly n arguments are given.
@@ -212,7 +212,7 @@ impl<C: Ring> PolarForm<C> {
             && let Some(form) = form.downcast_ref::<PolarForm<Rational>>()
             && let Some(list) = rational_arguments(&arguments)
         {
-            let value: Box<dyn Any> = Box::new(Evaluator::new(form).value(&list)?);
+            let value: Box<dyn Any> = Box::new(PreparedForm::new(form).value(&list)?);
             if let Ok(value) = value.downcast::<C>() {
                 return Ok(*value);
             }
@@ -271,11 +271,16 @@ impl<C: Ring> PolarForm<C> {
         Ok(PolarForm::from_weights(self.partial_weights(arguments)))
     }
 
+    /// The polar form of the derivative, see [`PolarForm::nth_derivative`].
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// The polar form of the k-th derivative, of degree n − k (degree 0 and zero when k > n):
     /// n!/(n−k)! f(t_1, …, t_{n−k}, 1̂, …, 1̂).
     ///
     /// Cost: O(k n).
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let n = self.degree();
         if k > n {
             return PolarForm::new(vec![C::zero()]);

@@ -107,7 +107,7 @@ impl<C: Ring> TensorPolarForm<C> {
     /// # Errors
     /// None in fact: orders above the degree give the zero form.
     pub fn derivative(&self, r: usize, s: usize) -> Result<Self, PolarError> {
-        self.in_v(|row| Ok(row.derivative(s)))?.in_u(|column| Ok(column.derivative(r)))
+        self.in_v(|row| Ok(row.nth_derivative(s)))?.in_u(|column| Ok(column.nth_derivative(r)))
     }
 
     /// The same polynomial with more arguments in each group.

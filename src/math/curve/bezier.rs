@@ -344,9 +344,14 @@ impl<C: Field> BezierCurve<C> {
         level
     }
 
+    /// F', of degree n − 1 or 0, see [`BezierCurve::nth_derivative`].
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// F^{(k)}, of degree n − k: n!/(n−k)! Δ^k b_i / (b−a)^k; zero if k > n. Its control points are
     /// these vectors drawn from the origin (the hodograph).
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let n = self.degree();
         let interval = self.interval.clone();
         if k > n {

@@ -211,7 +211,7 @@ mod tests {
             let weights = [-&s, t.clone(), z(1) + &s - &t];
             let d = patch.triangle().point(&weights);
             let other = Triangle::new([corners[2].clone(), d, corners[1].clone()]).unwrap();
-            let second = patch.over(other.clone());
+            let second = patch.part(other.clone());
             prop_assert_eq!(order(&patch.join_conditions(&second, 3).unwrap(), 3), Some(3));
             let mut points = second.points().to_vec();
             for ([_, j, _], point) in indices(patch.degree()).into_iter().zip(&mut points) {

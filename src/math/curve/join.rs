@@ -147,7 +147,7 @@ mod tests {
             let by_points = conditions.iter().take_while(|c| c.holds()).count().checked_sub(1);
             let by_hats = continuity_at(&f, &g, b).unwrap();
             let by_derivatives =
-                (0..=n).take_while(|&j| f.derivative(j).value(b) == g.derivative(j).value(b)).count().checked_sub(1);
+                (0..=n).take_while(|&j| f.nth_derivative(j).value(b) == g.nth_derivative(j).value(b)).count().checked_sub(1);
             prop_assert_eq!(by_points, by_hats.order);
             prop_assert_eq!(by_derivatives, by_hats.order);
             prop_assert_eq!(by_points, Some(k.min(n)));

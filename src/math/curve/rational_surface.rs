@@ -281,8 +281,8 @@ impl<C: Field> RationalTriangle<C> {
     }
 
     /// The same surface over another triangle.
-    pub fn over(&self, triangle: Triangle<C>) -> Self {
-        RationalTriangle { homogeneous: self.homogeneous.over(triangle) }
+    pub fn part(&self, triangle: Triangle<C>) -> Self {
+        RationalTriangle { homogeneous: self.homogeneous.part(triangle) }
     }
 
     /// The same surface of degree n + by.
@@ -420,7 +420,7 @@ mod tests {
             prop_assert_eq!(patch.derivatives(&p, 2), tensor.derivatives(&p[0], &p[1], 2));
             prop_assert_eq!(patch.normal_at(&p), tensor.normal_at(&p[0], &p[1]));
             prop_assert_eq!(patch.elevate(2).value(&p), patch.value(&p));
-            prop_assert_eq!(patch.over(Triangle::unit()).value(&p), patch.value(&p));
+            prop_assert_eq!(patch.part(Triangle::unit()).value(&p), patch.value(&p));
             let corners = patch.homogeneous.triangle().corners();
             let middle = crate::math::curve::lerp(&corners[0], &corners[1], &q(1, 2));
             prop_assert_eq!(patch.boundary_curve(Corner::C).value(&q(1, 2)), patch.value(&middle));

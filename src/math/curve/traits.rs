@@ -97,7 +97,7 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
         self.blossom(arguments)
     }
     fn derivative(&self) -> Result<Self, CurveError> {
-        Ok(self.derivative(1))
+        Ok(self.derivative())
     }
     fn elevate(&self, by: usize) -> Result<Self, CurveError> {
         Ok(self.elevate(by))
@@ -282,7 +282,7 @@ impl<C: Field> Surface<C> for TrianglePatch<C> {
         self.subdivide(p).map(Vec::from)
     }
     fn part(&self, domain: Triangle<C>) -> Result<Self, CurveError> {
-        Ok(self.over(domain))
+        Ok(self.part(domain))
     }
 }
 
@@ -309,7 +309,7 @@ impl<C: Field> Surface<C> for RationalTriangle<C> {
         self.subdivide(p).map(Vec::from)
     }
     fn part(&self, domain: Triangle<C>) -> Result<Self, CurveError> {
-        Ok(self.over(domain))
+        Ok(self.part(domain))
     }
 }
 

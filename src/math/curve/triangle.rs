@@ -211,7 +211,7 @@ impl<C: Field> TrianglePatch<C> {
     }
 
     /// The same surface over another triangle, by its polar values.
-    pub fn over(&self, triangle: Triangle<C>) -> Self {
+    pub fn part(&self, triangle: Triangle<C>) -> Self {
         let inside = |corner: &Point<C>| {
             self.triangle.barycentric(corner).expect("corners of a triangle lie in the plane")
         };

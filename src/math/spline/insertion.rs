@@ -283,7 +283,7 @@ impl<C: Field> BSpline<C> {
     fn defect(&self, t: &C, order: usize) -> Defect<C> {
         let pieces = self.bezier_pieces();
         let after = pieces.iter().position(|piece| piece.interval().start() == t).expect("an inner knot");
-        let value = |k: usize| pieces[k].derivative(order).value(t);
+        let value = |k: usize| pieces[k].nth_derivative(order).value(t);
         Defect { order, jump: value(after) - value(after - 1) }
     }
 }

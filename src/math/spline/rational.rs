@@ -181,7 +181,7 @@ mod tests {
             let s = RationalSpline::from_homogeneous(homogeneous.clone()).unwrap();
             // x/w, x'/w − x w'/w² and so on by hand, from the pieces in powers of t
             let jet: Vec<Vec<Rational>> = homogeneous.power_pieces().iter()
-                .map(|p| (0..3).map(|r| p.derivative(r).value(&t).unwrap()).collect()).collect();
+                .map(|p| (0..3).map(|r| p.nth_derivative(r).value(&t).unwrap()).collect()).collect();
             let ([x, x1, x2], [w, w1, w2]) = (
                 <&[_; 3]>::try_from(&jet[0][..]).unwrap(), <&[_; 3]>::try_from(&jet[1][..]).unwrap());
             if w.is_zero() {

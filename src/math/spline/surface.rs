@@ -149,20 +149,22 @@ impl<C: Field> SplineSurface<C> {
         self.along(direction, |spline| spline.insert_all(knots))
     }
 
-    /// The same surface with the degree raised in one direction.
+    /// The same surface of degree (m + by_u, n + by_v).
     ///
     /// # Errors
     /// As [`BSpline::elevate`].
-    pub fn elevate(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
-        self.along(direction, |spline| spline.elevate(by))
+    pub fn elevate(&self, by_u: usize, by_v: usize) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.elevate(by_u))?
+            .along(Direction::V, |spline| spline.elevate(by_v))
     }
 
-    /// The same surface with the degree lowered in one direction, where that is exact.
+    /// The same surface of degree (m − by_u, n − by_v), where that is exact.
     ///
     /// # Errors
-    /// As [`BSpline::reduce`].
-    pub fn reduce(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
-        self.along(direction, |spline| spline.reduce(by))
+    /// As [`BSpline::reduce`], u first.
+    pub fn reduce(&self, by_u: usize, by_v: usize) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.reduce(by_u))?
+            .along(Direction::V, |spline| spline.reduce(by_v))
     }
 
     /// ∂^{r+s}/∂u^r ∂v^s.
@@ -277,7 +279,7 @@ impl<C: Field> Surface<C> for SplineSurface<C> {
         Ok(self.patch_at(u, v)?.derivative_at(r, s, u, v))
     }
     fn elevate(&self, by: usize) -> Result<Self, SplineError> {
-        self.elevate(Direction::U, by)?.elevate(Direction::V, by)
+        self.elevate(by, by)
     }
     fn subdivide(&self, [u, v]: &[C; 2]) -> Result<Vec<Self>, SplineError> {
         quartered(self, Self::subdivide, u, v)
@@ -314,9 +316,9 @@ mod tests {
             prop_assert_eq!(&s.transposed().value(&v, &u).unwrap(), &value);
             let fine = s.insert(Direction::U, &[q(1, 2)]).unwrap().insert(Direction::V, &[q(1, 3)]).unwrap();
             prop_assert_eq!(&fine.value(&u, &v).unwrap(), &value);
-            let raised = s.elevate(Direction::V, 1).unwrap();
+            let raised = s.elevate(0, 1).unwrap();
             prop_assert_eq!(&raised.value(&u, &v).unwrap(), &value);
-            prop_assert_eq!(&raised.reduce(Direction::V, 1).unwrap().value(&u, &v).unwrap(), &value);
+            prop_assert_eq!(&raised.reduce(0, 1).unwrap().value(&u, &v).unwrap(), &value);
             let (a, b) = (s.knots().0.span_of(&u).unwrap(), s.knots().1.span_of(&v).unwrap());
             let patches = s.patches();
             let row = s.knots().0.spans().iter().position(|&k| k == a).unwrap();

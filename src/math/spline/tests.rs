@@ -199,7 +199,7 @@ proptest! {
             let pieces = s.power_pieces();
             let at = pieces[0].breaks().iter().position(|x| *x == knot).unwrap();
             let jump: Vec<Rational> = pieces.iter().map(|p| {
-                let d = p.derivative(order);
+                let d = p.nth_derivative(order);
                 d.pieces()[at].value(&knot) - d.pieces()[at - 1].value(&knot)
             }).collect();
             match s.remove(&knot, 1).unwrap() {
@@ -252,7 +252,7 @@ proptest! {
         match s.derivative() {
             Ok(derivative) => {
                 let expected: Vec<Rational> =
-                    s.power_pieces().iter().map(|p| p.derivative(1).value(&t).unwrap()).collect();
+                    s.power_pieces().iter().map(|p| p.derivative().value(&t).unwrap()).collect();
                 prop_assert_eq!(derivative.value(&t).unwrap(), expected);
             }
             Err(error) => {
@@ -329,7 +329,7 @@ proptest! {
         let pieces = s.bezier_pieces();
         let (first, last) = (&pieces[0], &pieces[pieces.len() - 1]);
         for k in 0..n {
-            prop_assert_eq!(first.derivative(k).value(&period[0]), last.derivative(k).value(s.interval().end()));
+            prop_assert_eq!(first.nth_derivative(k).value(&period[0]), last.nth_derivative(k).value(s.interval().end()));
         }
     }
 }
