@@ -33,7 +33,7 @@ impl std::error::Error for EmptyInterval {}
 /// assert_eq!(Interval::new(z(1), z(1)), Err(EmptyInterval));
 /// # Ok::<(), EmptyInterval>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Interval<C> {
     a: C,
     b: C,
@@ -113,6 +113,15 @@ impl<C: Ring> Interval<C> {
     }
 }
 
+/// `[a, b]`
+impl<C: fmt::Display> fmt::Display for Interval<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "[{}, {}]", self.a, self.b)
+    }
+}
+
+debug_by_text!(Interval);
+
 /// Whether x ≥ 0, if x is a number.
 pub(in crate::math) fn not_negative<C: Ring>(x: &C) -> Option<bool> {
     compare(x, &C::zero()).map(std::cmp::Ordering::is_ge)
@@ -131,6 +140,7 @@ mod tests {
             [0, 1, 2, 3, 4].map(|u| backwards.contains(&z(u)) == Some(true)),
             [false, true, true, true, false]
         );
+        assert_eq!(format!("{backwards} {backwards:?}"), "[3, 1] Interval([3, 1])");
         assert_eq!(backwards.reversed(), Interval::new(z(1), z(3)).unwrap());
     }
 }

@@ -65,8 +65,25 @@ impl fmt::Display for PiecewiseError {
 
 impl std::error::Error for PiecewiseError {}
 
+/// `t^2 on [0, 1), 2 - t on [1, 2]`, and `0 outside` if it is.
+impl<C: Ring + fmt::Display> fmt::Display for Piecewise<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let last = self.pieces.len();
+        let to_the_left = |i: usize| if i == last { self.is_closed() } else { self.inner_left() == Some(i) };
+        for (i, (piece, ends)) in self.pieces.iter().zip(self.breaks.windows(2)).enumerate() {
+            let open = if i > 0 && to_the_left(i) { '(' } else { '[' };
+            let close = if to_the_left(i + 1) { ']' } else { ')' };
+            let behind = if i > 0 { ", " } else { "" };
+            write!(f, "{behind}{piece} on {open}{}, {}{close}", ends[0], ends[1])?;
+        }
+        if self.outside == Outside::Zero { f.write_str(", 0 outside") } else { Ok(()) }
+    }
+}
+
+debug_by_text!(Piecewise);
+
 /// A piecewise polynomial.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Piecewise<C> {
     breaks: Vec<C>,
     pieces: Vec<Coefficients<C>>,
@@ -434,6 +451,7 @@ mod tests {
         assert_eq!(hat.value(&q(1, 2)), Ok(q(1, 2)));
         assert_eq!(hat.value(&z(2)), Ok(z(0)));
         assert_eq!(hat.value(&z(-1)), Ok(z(0)));
+        assert_eq!(hat.to_string(), "t on [0, 1), -t + 2 on [1, 2], 0 outside");
         assert_eq!(hat.integral(), z(1));
         assert_eq!(hat.antiderivative().value(&z(2)), Ok(z(1)));
         assert_eq!(hat.antiderivative().smoothness(1), Some(1));

@@ -41,7 +41,7 @@ pub use matrices::{bernstein_to_power, lowering, power_to_bernstein, raising};
 /// A basis φ_0, …, φ_n of the polynomials of degree at most n.
 ///
 /// What the basis is for a given n, and whether there is one, says [`Basis::validate`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub enum Basis<F> {
     /// φ_j = t^j.
     Power,
@@ -124,6 +124,35 @@ impl fmt::Display for BasisError {
 }
 
 impl std::error::Error for BasisError {}
+
+/// As queries name it: `power`, `[bernstein, a, b]`, `[lagrange, t_0, …]`; over [0, 1] `bernstein` and `hermite`.
+impl<F: Field + fmt::Display> fmt::Display for Basis<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let over =
+            |f: &mut fmt::Formatter<'_>, word: &str, interval: &Interval<F>, alone: bool| match interval
+                .ends()
+            {
+                (a, b) if alone && a.is_zero() && b.is_one() => f.write_str(word),
+                (a, b) => write!(f, "[{word}, {a}, {b}]"),
+            };
+        let at = |f: &mut fmt::Formatter<'_>, word: &str, nodes: &[F]| {
+            write!(f, "[{word}")?;
+            nodes.iter().try_for_each(|node| write!(f, ", {node}"))?;
+            f.write_str("]")
+        };
+        match self {
+            Basis::Power => f.write_str("power"),
+            Basis::Taylor { at } => write!(f, "[taylor, {at}]"),
+            Basis::Bernstein(interval) => over(f, "bernstein", interval, true),
+            Basis::Legendre(interval) => over(f, "legendre", interval, false),
+            Basis::HermiteEndpoints(interval) => over(f, "hermite", interval, true),
+            Basis::Lagrange(nodes) => at(f, "lagrange", nodes),
+            Basis::Newton(nodes) => at(f, "newton", nodes),
+        }
+    }
+}
+
+debug_by_text!(Basis);
 
 impl<F: Field> Basis<F> {
     /// Whether this is a basis of the polynomials of degree at most n. Cost: O(n²)

@@ -323,3 +323,20 @@ fn limits_come_before_the_work() {
     let stopped = run(&limits, || change_of_basis::<Rational>(usize::MAX - 1, &Basis::Power, &Basis::Power));
     assert!(matches!(stopped, Err(Stop::Terms { .. })));
 }
+
+#[test]
+fn text_is_what_queries_read() {
+    let over = || Interval::new(integer(0), integer(2)).unwrap();
+    let list = [
+        (Basis::Power, "power"),
+        (Basis::Taylor { at: rational(1, 2) }, "[taylor, 1/2]"),
+        (Basis::Bernstein(Interval::unit()), "bernstein"),
+        (Basis::Bernstein(over()), "[bernstein, 0, 2]"),
+        (Basis::Legendre(Interval::unit()), "[legendre, 0, 1]"),
+        (Basis::HermiteEndpoints(over()), "[hermite, 0, 2]"),
+        (Basis::Newton(vec![integer(0), integer(3)]), "[newton, 0, 3]"),
+    ];
+    for (basis, text) in list {
+        assert_eq!((basis.to_string(), format!("{basis:?}")), (text.to_owned(), format!("Basis({text})")));
+    }
+}

@@ -36,7 +36,7 @@ type Exponents = Vec<u32>;
 /// assert_eq!(value, Ok(integer(5))); // (1·4 + 3·2)/2
 /// ```
 #[doc(alias = "triangular")]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TotalDegreePolarForm<C> {
     dimension: usize,
     degree: usize,

@@ -26,13 +26,15 @@ pub struct BezierCurve<C> {
 
 /// All intermediate points of de Casteljau's or de Boor's algorithm: `levels[r][i]`, level 0 the
 /// control points, the last level a single point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Tableau<C> {
     /// The points by levels.
     pub levels: Vec<Vec<Point<C>>>,
     /// Their polar labels: the arguments of the polar form.
     pub labels: Vec<Vec<Vec<C>>>,
 }
+
+debug_by_fields!(Tableau: levels, labels);
 
 impl<C> Tableau<C> {
     /// The single point of the last level.

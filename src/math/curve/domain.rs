@@ -57,9 +57,9 @@ pub enum Corner {
 /// assert_eq!(flat, Err(CurveError::Degenerate));
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Triangle<C> {
-    corners: [Point<C>; 3],
+    pub(super) corners: [Point<C>; 3],
     /// det(b − a, c − a), twice the signed area.
     determinant: C,
     inverse: C,

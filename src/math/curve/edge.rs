@@ -21,7 +21,7 @@ use crate::math::blossom::Argument;
 use crate::math::ring::Field;
 
 /// One condition: a control point of the second patch must be a polar value of the first.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct EdgeEquation<C> {
     /// r, how many arguments lie off the edge: the condition belongs to C^r.
     pub order: usize,
@@ -32,6 +32,8 @@ pub struct EdgeEquation<C> {
     /// The control point of the second patch.
     pub found: Point<C>,
 }
+
+debug_by_fields!(EdgeEquation: order, place, required, found);
 
 impl<C: PartialEq> EdgeEquation<C> {
     /// Whether the two sides are equal.

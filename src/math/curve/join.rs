@@ -12,7 +12,7 @@ use crate::math::blossom::Argument;
 use crate::math::ring::Field;
 
 /// One condition for C^k: what a control point of the second curve has to be.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct JoiningCondition<C> {
     /// The order j of the condition.
     pub order: usize,
@@ -23,6 +23,8 @@ pub struct JoiningCondition<C> {
     /// g(b^{n−j}, c^j), the j-th control point of the second curve.
     pub found: Point<C>,
 }
+
+debug_by_fields!(JoiningCondition: order, label, required, found);
 
 impl<C: Field> JoiningCondition<C> {
     /// Whether it holds.
@@ -81,7 +83,7 @@ pub fn joining_conditions<C: Field>(
 }
 
 /// Up to which order two curves meet, and the first order that fails.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Continuity<C> {
     /// The largest k with C^k; `None` if not even the points agree; the degree if the two are
     /// one polynomial.
@@ -91,6 +93,8 @@ pub struct Continuity<C> {
     /// The first condition that fails: the order, and f(t^{n−j}, 1̂^j) for both.
     pub failure: Option<(usize, PolarValue<C>, PolarValue<C>)>,
 }
+
+debug_by_fields!(Continuity: order, same, failure);
 
 /// Up to which order two polynomial curves agree at t, by hats: f(t^{n−j}, 1̂^j) for j = 0, 1, ….
 ///

@@ -71,7 +71,7 @@ pub enum Scheme {
 /// assert_eq!(patch.normal()?.value(&q(1, 2), &q(1, 3)), [q(-1, 3), q(-1, 2), z(1)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TensorPatch<C> {
     net: Net<C>,
     u: Interval<C>,

@@ -31,7 +31,7 @@ use crate::math::ring::{Field, Ring};
 /// assert_eq!(patch.value(&q(1, 2), &q(1, 3))?, [q(3, 5), q(4, 5), q(1, 3)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalPatch<C> {
     homogeneous: TensorPatch<C>,
 }
@@ -186,7 +186,7 @@ impl<C: Field> RationalPatch<C> {
 /// assert_eq!(patch.value(&[q(1, 3), q(1, 3)])?, [q(5, 4)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalTriangle<C> {
     homogeneous: TrianglePatch<C>,
 }

@@ -78,7 +78,7 @@ fn values<C: Ring>(points: &[Point<C>], n: usize, [p, q, r]: [&[C; 3]; 3]) -> Ve
 /// assert_eq!(patch.integral(), [q(1, 24)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TrianglePatch<C> {
     points: Vec<Point<C>>,
     degree: usize,

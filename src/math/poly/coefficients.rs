@@ -25,7 +25,7 @@ use crate::math::ring::{Field, Ring};
 /// assert_eq!(square.value(&z(3)), z(49));
 /// assert_eq!(square.derivative(), p.scaled(&z(4)));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Coefficients<C>(Vec<C>);
 
 /// From this many products of numbers on, [`Poly`] is faster.

@@ -22,6 +22,7 @@ mod real_roots;
 mod resultant;
 mod ring_ops;
 mod symbol;
+pub(in crate::math) mod text;
 mod univariate;
 mod univariate_gcd;
 mod univariate_ops;

@@ -17,7 +17,7 @@ pub struct BSpline<C> {
 }
 
 /// De Boor's tableau together with its ratios.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct DeBoor<C> {
     /// The knot interval.
     pub span: usize,
@@ -27,6 +27,8 @@ pub struct DeBoor<C> {
     /// i and i + 1 of level r.
     pub ratios: Vec<Vec<C>>,
 }
+
+debug_by_fields!(DeBoor: span, tableau, ratios);
 
 impl<C: Field> BSpline<C> {
     /// The spline with these control points.

@@ -16,13 +16,15 @@ use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
 
 /// Why a knot cannot be removed: the derivative that jumps there.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Defect<C> {
     /// The order of the derivative that has to be continuous.
     pub order: usize,
     /// Its value after the knot minus that before.
     pub jump: Vector<C>,
 }
+
+debug_by_fields!(Defect: order, jump);
 
 /// (t − t_i)/(t_{i+n} − t_i), for an interval that is not empty.
 fn ratio<C: Field>(knots: &[C], n: usize, i: usize, t: &C) -> C {

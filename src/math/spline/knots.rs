@@ -8,10 +8,10 @@ use crate::math::number::{Int, Rational};
 use crate::math::ring::{Field, compare};
 
 /// Knots t_0 ≤ … ≤ t_{m+n} for basis functions of degree n: m = (number of knots) − n − 1 of them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct KnotVector<C> {
     degree: usize,
-    knots: Vec<C>,
+    pub(super) knots: Vec<C>,
     /// [t_n, t_m], if the basis functions sum to 1 somewhere.
     interval: Option<Interval<C>>,
 }

@@ -17,6 +17,7 @@ mod bspline;
 mod calculus;
 mod convert;
 mod degree;
+mod display;
 mod insertion;
 mod integers;
 mod knots;

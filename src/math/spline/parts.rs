@@ -1,10 +1,8 @@
-//! A spline among other curves: its parts, its text, what it shares with Bézier curves.
+//! A spline among other curves: its parts, what it shares with Bézier curves.
 
-use std::fmt::{Debug, Display, Formatter, Result as Shown};
-
-use super::{BSpline, KnotVector, RationalSpline, SplineError};
+use super::{BSpline, KnotVector, SplineError};
 use crate::math::blossom::Argument;
-use crate::math::curve::{Curve, CurveError, Interval, Point, PolarValue, display};
+use crate::math::curve::{Curve, CurveError, Interval, Point, PolarValue};
 use crate::math::ring::Field;
 
 impl<C: Field> BSpline<C> {
@@ -82,50 +80,11 @@ impl<C: Field> Curve<C> for BSpline<C> {
     }
 }
 
-fn opened<C: Field + Display>(f: &mut Formatter<'_>, knots: &KnotVector<C>) -> Shown {
-    write!(f, "bspline({}, ", knots.degree())?;
-    display::list(f, knots.knots(), |f, knot| Display::fmt(knot, f))?;
-    f.write_str(", ")
-}
-
-/// `bspline(n, [t_0, …], [d_0, …])`
-impl<C: Field + Display> Display for BSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        opened(f, self.knots())?;
-        display::points(f, self.points())?;
-        f.write_str(")")
-    }
-}
-
-/// As for a polynomial spline, with `weights=[…]`; with `homogeneous=1` and the control vectors if one
-/// has weight 0.
-impl<C: Field + Display> Display for RationalSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        let spline = self.homogeneous();
-        opened(f, spline.knots())?;
-        display::weighted(f, self.points(), spline.points(), |_| Ok(()))?;
-        f.write_str(")")
-    }
-}
-
-/// `BSpline(bspline(1, [0, 0, 1, 1], [1, 3]))`
-impl<C: Field + Display> Debug for BSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        write!(f, "BSpline({self})")
-    }
-}
-
-/// `RationalSpline(bspline(1, [0, 0, 1, 1], [1, 3], weights=[1, 2]))`
-impl<C: Field + Display> Debug for RationalSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        write!(f, "RationalSpline({self})")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::number::{Rational, integer as z, rational as q};
+    use crate::math::spline::RationalSpline;
 
     /// A cubic with a double knot at 2, unclamped at its start.
     fn cubic() -> BSpline<Rational> {

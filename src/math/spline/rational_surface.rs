@@ -32,7 +32,7 @@ use crate::math::ring::Field;
 /// assert_eq!(half.value(&q(1, 2), &q(1, 3))?, [q(4, 5), q(3, 5), q(1, 3)]);
 /// # Ok::<(), polarform::spline::SplineError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalSplineSurface<C> {
     homogeneous: SplineSurface<C>,
 }

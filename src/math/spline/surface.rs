@@ -15,7 +15,7 @@ use crate::math::curve::{
 use crate::math::ring::Field;
 
 /// A spline surface by its knots and control net.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct SplineSurface<C> {
     u: KnotVector<C>,
     v: KnotVector<C>,

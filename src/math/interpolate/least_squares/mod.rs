@@ -234,7 +234,7 @@ fn dependent<C: Field>(
 }
 
 /// How a polynomial is to be fitted.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct FitOptions<C, V = C> {
     /// The basis of the coefficients: powers, or the Bernstein basis over an interval, or any
     /// other. The polynomial does not depend on it.
@@ -245,6 +245,8 @@ pub struct FitOptions<C, V = C> {
     pub conditions: Vec<(C, V)>,
 }
 
+debug_by_fields!(FitOptions<V>: basis, weights, conditions);
+
 impl<C, V> Default for FitOptions<C, V> {
     /// Powers, equal weights, no conditions.
     fn default() -> Self {
@@ -253,7 +255,7 @@ impl<C, V> Default for FitOptions<C, V> {
 }
 
 /// A polynomial fitted to data by least squares.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct PolynomialFit<C, V = C> {
     /// The basis of the coefficients.
     pub basis: Basis<C>,
@@ -262,6 +264,8 @@ pub struct PolynomialFit<C, V = C> {
     /// The power coefficients, lowest first.
     pub power: Vec<V>,
 }
+
+debug_by_fields!(PolynomialFit<V>: basis, solution, power);
 
 /// The polynomial of degree at most `degree` with the least Σ w_i |y_i − f(x_i)|².
 ///
