@@ -32,7 +32,7 @@ use std::fmt;
 use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
-pub use bernstein::{bernstein, bernstein_all};
+pub use bernstein::{bernstein, bernstein_all, bernstein_simplex};
 pub use change::change_of_basis;
 pub use evaluate::evaluate_basis;
 pub use legendre::legendre_all;

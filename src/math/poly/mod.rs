@@ -30,6 +30,7 @@ mod univariate_ops;
 mod univariate_tests;
 
 pub use coefficients::Coefficients;
+pub(crate) use coefficients::horner;
 pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
