@@ -4,8 +4,9 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use polarform::basis::{Basis, bernstein_to_power, change_of_basis, power_to_bernstein};
+use polarform::interval::Interval;
 use polarform::linalg::{inverse, multiply};
-use polarform::number::{Rational, integer, rational};
+use polarform::number::{Rational, rational};
 
 fn closed_forms(c: &mut Criterion) {
     let mut group = c.benchmark_group("A_n and its inverse");
@@ -34,10 +35,10 @@ fn generic(c: &mut Criterion) {
 fn between_bases(c: &mut Criterion) {
     let mut group = c.benchmark_group("change of basis, degree 20");
     group.sample_size(20);
-    let unit = Basis::Bernstein { a: integer(0), b: integer(1) };
+    let unit = Basis::Bernstein(Interval::unit());
     let bases: [(&str, Basis<Rational>); 4] = [
         ("power", Basis::Power),
-        ("Bernstein on [1/3, 5/7]", Basis::Bernstein { a: rational(1, 3), b: rational(5, 7) }),
+        ("Bernstein on [1/3, 5/7]", Basis::Bernstein(Interval::new(rational(1, 3), rational(5, 7)).unwrap())),
         ("Lagrange", Basis::Lagrange((0..=20).map(|k| rational(k, 20)).collect())),
         ("Newton", Basis::Newton((0..=20).map(|k| rational(k, 20)).collect())),
     ];

@@ -7,9 +7,10 @@ use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use inputs::{expected, in_w2, in_w3, in_w7, in_w8, modp, point};
-use polarform::blossom::laws::Arrangement;
-use polarform::blossom::{Evaluator, PolarForm, expand_univariate};
-use polarform::number::{Int, Rational, integer};
+use polarform::blossom::laws::ArgumentNames;
+use polarform::blossom::{PolarForm, PreparedForm, expand_univariate};
+use polarform::interval::Interval;
+use polarform::number::{Int, Rational};
 use polarform::poly::Symbol;
 use polarform::session::Session;
 use polarform::write::{Format, write_expanded};
@@ -18,7 +19,7 @@ use polarform::write::{Format, write_expanded};
 fn checksum(form: &PolarForm<Rational>) -> u64 {
     let points: Vec<Rational> =
         (1..=form.degree()).map(|i| Rational::from_integer(Int::from(point(i as u64)))).collect();
-    modp(&Evaluator::new(form).value(&points).expect("as many points as arguments"))
+    modp(&PreparedForm::new(form).value(&points).expect("as many points as arguments"))
 }
 
 /// Every monomial written out; the output goes to memory.
@@ -58,7 +59,7 @@ fn values(c: &mut Criterion) {
     for n in [10, 100, 1000] {
         let (coefficients, points) = in_w3(n);
         let form = PolarForm::new(coefficients);
-        let evaluator = Evaluator::new(&form);
+        let evaluator = PreparedForm::new(&form);
         let value = evaluator.value(&points).expect("as many points as arguments");
         assert_eq!(modp(&value), expected(&format!("W3/{n}")));
         group.bench_function(format!("W3/{n}"), |b| b.iter(|| evaluator.value(black_box(&points))));
@@ -89,7 +90,7 @@ fn products(c: &mut Criterion) {
                 write_expanded(&mut out, &black_box(&f).product(&g), &names, Format::Text).map(|()| out)
             });
         });
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), 2 * m);
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 2 * m);
         group.bench_function(format!("W8/{m}/as polynomial"), |b| {
             b.iter(|| expand_univariate(&black_box(&f).product(&g), &arrangement));
         });
@@ -105,7 +106,7 @@ fn control_points(c: &mut Criterion) {
     group.bench_function("elevate 100 -> 200", |b| {
         b.iter(|| {
             let form = PolarForm::from_bezier_points(black_box(&points)).expect("there are points");
-            form.elevate(100).bezier_points(&integer(0), &integer(1))
+            form.elevate(100).bezier_points(&Interval::unit())
         });
     });
     group.finish();

@@ -2,12 +2,13 @@
 #![allow(clippy::print_stdout)]
 
 use nalgebra::{DMatrix, DVector};
-use polarform::basis::{self, Basis, BasisError};
+use polarform::basis::{self, Basis};
+use polarform::interval::Interval;
 use polarform::linalg;
 use polarform::number::{Rational, integer, rational};
 use polarform::poly::{Fraction, MultiPoly, Symbol};
 
-fn main() -> Result<(), BasisError> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A_3 turns Bézier points into power coefficients.
     let a = basis::bernstein_to_power(3);
     println!("A_3 ={a}");
@@ -22,13 +23,13 @@ fn main() -> Result<(), BasisError> {
 
     // Values at 0, 1/2, 1 to Bézier points over [0, 1].
     let nodes = Basis::Lagrange(vec![integer(0), rational(1, 2), integer(1)]);
-    let unit = Basis::Bernstein { a: integer(0), b: integer(1) };
+    let unit = Basis::Bernstein(Interval::unit());
     let change: DMatrix<Rational> = basis::change_of_basis(2, &nodes, &unit)?;
     println!("values at 0, 1/2, 1 to Bézier points:{change}");
 
     // The interval may be symbolic.
     let symbol = |name: &str| Fraction::from(MultiPoly::symbol(Symbol::new(name)));
-    let interval = Basis::Bernstein { a: symbol("r"), b: symbol("s") };
+    let interval = Basis::Bernstein(Interval::new(symbol("r"), symbol("s"))?);
     let change = basis::change_of_basis(1, &Basis::Power, &interval)?;
     println!("powers to Bézier points over [r, s]:{change}");
     Ok(())

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("joined C^{}", continuity_at(&left, &right, &rational(1, 2))?.order.unwrap_or(0));
 
     // A spline: its control points are polar values at consecutive knots.
-    let knots = KnotVector::clamped(3, &integer(0), &[integer(1), integer(2)], &integer(3))?;
+    let knots = KnotVector::clamped(3, &[integer(1), integer(2)], &Interval::new(integer(0), integer(3))?)?;
     let spline = BSpline::new(knots, points(&[[0, 0], [1, 3], [3, 3], [4, 0], [6, 0], [7, 2]]))?;
     for (i, point) in spline.points().iter().enumerate() {
         let label: Vec<String> = spline.knots().label(i).iter().map(ToString::to_string).collect();

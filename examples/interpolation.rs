@@ -3,15 +3,16 @@
 
 use polarform::basis::Basis;
 use polarform::interpolate::{
-    CubicSpline, DividedDifferences, Ends, FitOptions, InterpolationError, LagrangeForm, Parameterization,
-    Scale, Scheme, Tableau, fit_polynomial, parameters,
+    CubicSpline, DividedDifferences, Ends, FitOptions, LagrangeForm, Parameterization, Scale, Scheme,
+    Tableau, fit_polynomial, parameters,
 };
+use polarform::interval::Interval;
 use polarform::number::{Rational, integer, rational};
 use polarform::poly::{Fraction, MultiPoly, Symbol};
 use polarform::value::newton_expr;
 use polarform::write::text;
 
-fn main() -> Result<(), InterpolationError> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     let nodes = [0, 1, 3].map(integer);
     let values = [1, 3, 2].map(integer);
 
@@ -48,8 +49,10 @@ fn main() -> Result<(), InterpolationError> {
     assert_eq!(spline.system().solve()?, spline.moments());
 
     // The straight line closest to four points, by its Bézier ordinates over [0, 3].
-    let options =
-        FitOptions { basis: Basis::Bernstein { a: integer(0), b: integer(3) }, ..FitOptions::default() };
+    let options = FitOptions {
+        basis: Basis::Bernstein(Interval::new(integer(0), integer(3))?),
+        ..FitOptions::default()
+    };
     let fit = fit_polynomial(&[0, 1, 2, 3].map(integer), &[0, 1, 1, 2].map(integer), 1, options)?;
     assert_eq!(fit.power, [rational(1, 10), rational(3, 5)]);
     println!("ordinates {}, squared norm {}", list(&fit.solution.coefficients), fit.solution.squared_norm);

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use polarform::blossom::{Argument, Method, PolarError, PolarForm};
+use polarform::interval::Interval;
 use polarform::number::{Rational, integer, rational};
 use polarform::poly::Poly;
 
@@ -32,7 +33,7 @@ fn main() -> Result<(), PolarError> {
     println!("f(1, 0, 1) = {}", rest.value(&[0, 1].map(integer))?);
 
     // The Bézier points over [0, 1] are f(0,0,0), f(0,0,1), f(0,1,1), f(1,1,1).
-    let points = f.bezier_points(&integer(0), &integer(1));
+    let points = f.bezier_points(&Interval::unit());
     let shown: Vec<String> = points.iter().map(Rational::to_string).collect();
     println!("Bézier points: {}", shown.join(", "));
     assert_eq!(PolarForm::from_bezier_points(&points)?, f);

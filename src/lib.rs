@@ -104,6 +104,6 @@ pub use formula::source;
 pub use language::{derive, diagnostic, eval, functions, latex, syntax, value, write};
 #[doc(inline)]
 pub use math::{
-    approximation, basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline,
-    subdivision, system,
+    approximation, basis, blossom, curve, interpolate, interval, linalg, number, piecewise, poly, ring,
+    spline, subdivision, system,
 };

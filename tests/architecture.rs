@@ -44,6 +44,7 @@ const MATH: Order = Order {
     levels: &[
         &["number"],
         &["ring"],
+        &["interval"],
         &["linalg", "poly"],
         &["basis", "blossom", "piecewise", "system"],
         &["curve", "interpolate"],

@@ -3,11 +3,12 @@
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 use polarform::basis::{Basis, bernstein_to_power, change_of_basis, evaluate_basis, power_to_bernstein};
-use polarform::blossom::laws::{Arrangement, Report, Slip, check};
+use polarform::blossom::laws::{ArgumentNames, Report, Slip, check};
 use polarform::blossom::{
-    Argument, Evaluator, Method, PolarForm, TensorPolarForm, TotalDegreePolarForm, expand_univariate,
+    Argument, Method, PolarForm, PreparedForm, TensorPolarForm, TotalDegreePolarForm, expand_univariate,
     symmetrize,
 };
+use polarform::interval::Interval;
 use polarform::linalg::multiply;
 use polarform::number::{Rational, integer, rational};
 use polarform::poly::{MultiPoly, Poly, Symbol};
@@ -103,7 +104,7 @@ proptest! {
         let form = PolarForm::new(c.clone());
         let right = by_permutations(&c, &t);
         prop_assert_eq!(form.value(&t).unwrap(), right.clone());
-        prop_assert_eq!(Evaluator::new(&form).value(&t).unwrap(), right.clone());
+        prop_assert_eq!(PreparedForm::new(&form).value(&t).unwrap(), right.clone());
         for method in Method::ALL {
             let derived = form.derive(method, &rational(2, 7)).form;
             prop_assert_eq!(derived.value(&t).unwrap(), right.clone(), "{}", method);
@@ -113,7 +114,7 @@ proptest! {
     #[test]
     fn written_out_and_put_in((c, t) in form_and_arguments(6)) {
         let form = PolarForm::new(c);
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), t.len());
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), t.len());
         let written = expand_univariate(&form, &arrangement);
         let at = |symbol: &Symbol| {
             (1..=t.len()).find(|&i| *symbol == Symbol::indexed("t", i as i64)).map(|i| t[i - 1].clone())
@@ -128,13 +129,13 @@ proptest! {
         let form = PolarForm::new(c.clone());
         // Over [0, 1]: by the matrix, by the polar form, and back.
         let points = times(&power_to_bernstein(n), &c);
-        prop_assert_eq!(&points, &form.bezier_points(&integer(0), &integer(1)));
+        prop_assert_eq!(&points, &form.bezier_points(&Interval::unit()));
         prop_assert_eq!(&times(&bernstein_to_power(n), &points), &c);
         prop_assert_eq!(de_casteljau(points, &integer(0), &integer(1), &t), form.value(&t).unwrap());
         prop_assume!(a != b);
         // Over [a, b], reversed intervals included.
-        let points = form.bezier_points(&a, &b);
-        let to = Basis::Bernstein { a: a.clone(), b: b.clone() };
+        let points = form.bezier_points(&Interval::new(a.clone(), b.clone()).unwrap());
+        let to = Basis::Bernstein(Interval::new(a.clone(), b.clone()).unwrap());
         let matrix = change_of_basis(n, &Basis::Power, &to).unwrap();
         prop_assert_eq!(&times(&matrix, &c), &points);
         prop_assert_eq!(de_casteljau(points.clone(), &a, &b, &vec![x.clone(); n]), horner(&c, &x));
@@ -142,7 +143,7 @@ proptest! {
         let values = evaluate_basis(n, &to, &x).unwrap();
         let sum = values.iter().zip(&points).fold(Rational::zero(), |sum, (v, p)| sum + v * p);
         prop_assert_eq!(sum, horner(&c, &x));
-        prop_assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b).unwrap(), form);
+        prop_assert_eq!(PolarForm::from_bezier_points_over(&points, &Interval::new(a.clone(), b.clone()).unwrap()).unwrap(), form);
     }
 
     #[test]
@@ -163,7 +164,7 @@ proptest! {
         p.push(&x + &h);
         q.push(x);
         prop_assert_eq!(form.value(&arguments).unwrap(), form.value(&p).unwrap() - form.value(&q).unwrap());
-        prop_assert_eq!(form.derivative(1).value(&t[1..]).unwrap(), {
+        prop_assert_eq!(form.derivative().value(&t[1..]).unwrap(), {
             let unit: Vec<_> =
                 t[1..].iter().cloned().map(Argument::Point).chain([Argument::Vector(integer(1))]).collect();
             form.value(&unit).unwrap() * integer(n as i64)
@@ -182,7 +183,7 @@ proptest! {
         let value = form.value(&arguments).unwrap();
         arguments.reverse();
         prop_assert_eq!(form.value(&arguments).unwrap(), value.clone());
-        let points = form.bezier_points(&integer(0), &integer(1));
+        let points = form.bezier_points(&Interval::unit());
         prop_assert_eq!(de_casteljau(points, &integer(0), &integer(1), &arguments), value);
     }
 }
@@ -192,7 +193,7 @@ fn product_written_out(f: &PolarForm<Rational>, g: &PolarForm<Rational>) -> Mult
     let (m, n) = (f.degree(), g.degree());
     let t = Symbol::new("t");
     let arguments = |from: usize, to: usize| {
-        Arrangement::new(vec![(from..=to).map(|i| vec![t.numbered(i as i64)]).collect()])
+        ArgumentNames::new(vec![(from..=to).map(|i| vec![t.numbered(i as i64)]).collect()])
     };
     let left = expand_univariate(f, &arguments(1, m));
     let right = expand_univariate(g, &arguments(m + 1, m + n));
@@ -209,7 +210,7 @@ proptest! {
         prop_assert_eq!(&f.product_by_symmetrizing(&g), &compact);
         let x = rational(-5, 7);
         prop_assert_eq!(horner(&compact.diagonal(), &x), horner(&c, &x) * horner(&d, &x));
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), compact.degree());
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), compact.degree());
         prop_assert_eq!(product_written_out(&f, &g), expand_univariate(&compact, &arrangement));
     }
 
@@ -224,11 +225,11 @@ proptest! {
         let inner: Vec<(Symbol, MultiPoly)> = (0..m)
             .map(|k| {
                 let list = (1..=n).map(|i| vec![t.numbered((k * n + i) as i64)]).collect();
-                (Symbol::indexed("x", k as i64 + 1), expand_univariate(&g, &Arrangement::new(vec![list])))
+                (Symbol::indexed("x", k as i64 + 1), expand_univariate(&g, &ArgumentNames::new(vec![list])))
             })
             .collect();
-        let outer = expand_univariate(&f, &Arrangement::univariate(&Symbol::new("x"), m));
-        let arrangement = Arrangement::univariate(&t, m * n);
+        let outer = expand_univariate(&f, &ArgumentNames::univariate(&Symbol::new("x"), m));
+        let arrangement = ArgumentNames::univariate(&t, m * n);
         let written = symmetrize(&outer.substitute(&inner), &arrangement);
         prop_assert_eq!(written, expand_univariate(&compact, &arrangement));
     }
@@ -277,16 +278,16 @@ proptest! {
 }
 
 /// The form over [0, …] as a polynomial in t_1, …, t_n with coefficients c_0, …, c_n times numbers.
-fn symbolic(numbers: &[Rational]) -> (MultiPoly, Arrangement) {
+fn symbolic(numbers: &[Rational]) -> (MultiPoly, ArgumentNames) {
     let n = numbers.len() - 1;
     let c = |k: usize| MultiPoly::symbol(Symbol::indexed("c", k as i64)).scaled(&numbers[k]);
     let form = PolarForm::new((0..=n).map(c).collect());
-    let arrangement = Arrangement::univariate(&Symbol::new("t"), n);
+    let arrangement = ArgumentNames::univariate(&Symbol::new("t"), n);
     (expand_univariate(&form, &arrangement), arrangement)
 }
 
-fn numeric(numbers: &[Rational]) -> (MultiPoly, Arrangement) {
-    let arrangement = Arrangement::univariate(&Symbol::new("t"), numbers.len() - 1);
+fn numeric(numbers: &[Rational]) -> (MultiPoly, ArgumentNames) {
+    let arrangement = ArgumentNames::univariate(&Symbol::new("t"), numbers.len() - 1);
     (expand_univariate(&PolarForm::new(numbers.to_vec()), &arrangement), arrangement)
 }
 
@@ -386,9 +387,9 @@ fn degenerate_forms() {
         let form = PolarForm::new(vec![constant.clone()]);
         assert_eq!(form.degree(), 0);
         assert_eq!(form.value(none), Ok(constant.clone()));
-        assert_eq!(form.bezier_points(&integer(0), &integer(1)), vec![constant.clone()]);
+        assert_eq!(form.bezier_points(&Interval::unit()), vec![constant.clone()]);
         assert_eq!(form.elevate(4).value(&[1, 2, 3, 4].map(integer)), Ok(constant.clone()));
-        assert_eq!(*form.derivative(1).diagonal(), *none);
+        assert_eq!(*form.derivative().diagonal(), *none);
         for method in Method::ALL {
             assert_eq!(form.derive(method, &integer(3)).form, form, "{method}");
         }
@@ -418,6 +419,6 @@ fn huge_coefficients() {
     for method in Method::ALL {
         assert_eq!(form.derive(method, &huge).form.value(&t), Ok(right.clone()), "{method}");
     }
-    let points = form.bezier_points(&tiny, &huge);
+    let points = form.bezier_points(&Interval::new(tiny.clone(), huge.clone()).unwrap());
     assert_eq!(de_casteljau(points, &tiny, &huge, &t), right);
 }

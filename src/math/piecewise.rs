@@ -14,11 +14,9 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_traits::{Signed, Zero};
-
 use crate::budget;
 use crate::math::poly::Coefficients;
-use crate::math::ring::Ring;
+use crate::math::ring::{Ring, compare};
 
 /// What a piecewise polynomial is outside of its breakpoints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,25 +65,25 @@ impl fmt::Display for PiecewiseError {
 
 impl std::error::Error for PiecewiseError {}
 
-/// How two parameters are ordered, if their difference is a number.
-///
-/// ```
-/// use polarform::{number::rational, piecewise::compare};
-/// assert_eq!(compare(&rational(1, 3), &rational(1, 2)), Some(std::cmp::Ordering::Less));
-/// ```
-pub fn compare<C: Ring>(x: &C, y: &C) -> Option<Ordering> {
-    let difference = x.minus(y).as_rational()?;
-    Some(if difference.is_zero() {
-        Ordering::Equal
-    } else if difference.is_negative() {
-        Ordering::Less
-    } else {
-        Ordering::Greater
-    })
+/// `t^2 on [0, 1), 2 - t on [1, 2]`, and `0 outside` if it is.
+impl<C: Ring + fmt::Display> fmt::Display for Piecewise<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let last = self.pieces.len();
+        let to_the_left = |i: usize| if i == last { self.is_closed() } else { self.inner_left() == Some(i) };
+        for (i, (piece, ends)) in self.pieces.iter().zip(self.breaks.windows(2)).enumerate() {
+            let open = if i > 0 && to_the_left(i) { '(' } else { '[' };
+            let close = if to_the_left(i + 1) { ']' } else { ')' };
+            let behind = if i > 0 { ", " } else { "" };
+            write!(f, "{behind}{piece} on {open}{}, {}{close}", ends[0], ends[1])?;
+        }
+        if self.outside == Outside::Zero { f.write_str(", 0 outside") } else { Ok(()) }
+    }
 }
 
+debug_by_text!(Piecewise);
+
 /// A piecewise polynomial.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Piecewise<C> {
     breaks: Vec<C>,
     pieces: Vec<Coefficients<C>>,
@@ -235,8 +233,13 @@ impl<C: Ring> Piecewise<C> {
         }
     }
 
+    /// The derivative on each piece.
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// The k-th derivative on each piece.
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let pieces = self.pieces.iter().map(|piece| piece.nth_derivative(k));
         Piecewise { pieces: pieces.collect(), ..self.clone() }.settled()
     }
@@ -448,11 +451,12 @@ mod tests {
         assert_eq!(hat.value(&q(1, 2)), Ok(q(1, 2)));
         assert_eq!(hat.value(&z(2)), Ok(z(0)));
         assert_eq!(hat.value(&z(-1)), Ok(z(0)));
+        assert_eq!(hat.to_string(), "t on [0, 1), -t + 2 on [1, 2], 0 outside");
         assert_eq!(hat.integral(), z(1));
         assert_eq!(hat.antiderivative().value(&z(2)), Ok(z(1)));
         assert_eq!(hat.antiderivative().smoothness(1), Some(1));
-        assert_eq!(hat.derivative(1).smoothness(1), None);
-        assert_eq!(hat.antiderivative().derivative(1).pieces(), hat.pieces());
+        assert_eq!(hat.derivative().smoothness(1), None);
+        assert_eq!(hat.antiderivative().derivative().pieces(), hat.pieces());
         assert_eq!(hat.antiderivative().value(&z(3)), Err(PiecewiseError::OutsideDomain));
     }
 

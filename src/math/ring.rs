@@ -5,10 +5,11 @@
 //! are [`Rational`], multivariate polynomials and their fractions. Equality is
 //! equality of values because every ring keeps its elements in canonical form.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use crate::math::number::Rational;
 
@@ -74,6 +75,23 @@ pub trait Ring:
 pub trait Field: Ring + Div<Output = Self> {
     /// 1 / self, or `None` for 0.
     fn inverse(&self) -> Option<Self>;
+}
+
+/// How two elements are ordered, if their difference is a number.
+///
+/// ```
+/// use polarform::{number::rational, ring::compare};
+/// assert_eq!(compare(&rational(1, 3), &rational(1, 2)), Some(std::cmp::Ordering::Less));
+/// ```
+pub fn compare<C: Ring>(x: &C, y: &C) -> Option<Ordering> {
+    let difference = x.minus(y).as_rational()?;
+    Some(if difference.is_zero() {
+        Ordering::Equal
+    } else if difference.is_negative() {
+        Ordering::Less
+    } else {
+        Ordering::Greater
+    })
 }
 
 impl Ring for Rational {

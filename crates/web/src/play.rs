@@ -48,7 +48,7 @@ fn bezier(request: &Request, points: Vec<Vec<Rational>>, t: &Rational) -> Result
     let interval = Interval::new(a.clone(), b.clone()).map_err(|error| error.to_string())?;
     let curve = BezierCurve::new(points.clone(), interval).map_err(|error| error.to_string())?;
     let tableau = curve.tableau(&vec![t.clone(); degree]).map_err(|error| error.to_string())?;
-    let tangent = curve.derivative(1).value(t);
+    let tangent = curve.derivative().value(t);
     let query = format!("figure_casteljau(bezier({}, {a}, {b}), {t})", list(&points));
     let numbers = Numbers { t, ends: (&a, &b), degree, query };
     let control = &tableau.labels[0];
@@ -61,12 +61,12 @@ fn bspline(request: &Request, points: Vec<Vec<Rational>>, t: &Rational) -> Resul
     let list_of_knots = numbers(request.get("knots").ok_or("a spline has knots")?, "the knots")?;
     let knots = KnotVector::new(degree, list_of_knots.clone()).map_err(|error| error.to_string())?;
     let spline = BSpline::new(knots.clone(), points.clone()).map_err(|error| error.to_string())?;
-    let (a, b) = spline.domain();
+    let (a, b) = spline.interval().ends();
     let span = knots.span_of(t).map_err(|error| error.to_string())?;
     let scheme = spline.de_boor(span, &vec![t.clone(); degree]).map_err(|error| error.to_string())?;
     let pieces = spline.bezier_pieces();
     let piece = spline.bezier_piece(span).map_err(|error| error.to_string())?;
-    let tangent = piece.derivative(1).value(t);
+    let tangent = piece.derivative().value(t);
     let shown: Vec<String> = list_of_knots.iter().map(Rational::to_string).collect();
     let query = format!("figure_bspline(bspline({degree}, [{}], {}))", shown.join(", "), list(&points));
     let labels: Vec<Vec<Rational>> = (0..points.len()).map(|i| knots.label(i).to_vec()).collect();

@@ -9,7 +9,7 @@ use crate::language::eval::Machine;
 use crate::language::ops::formula::symbol_of;
 use crate::language::ops::polar::laws_report;
 use crate::language::value::{Judgement, Polar, PolarKind, Value, Verdict};
-use crate::math::blossom::laws::Arrangement;
+use crate::math::blossom::laws::ArgumentNames;
 use crate::math::poly::Symbol;
 
 /// Judges each relation of a chain as it stands.
@@ -60,7 +60,7 @@ fn explain(
 fn polar_at_symbols(
     machine: &mut Machine,
     call: &Expr,
-) -> Result<Option<(Arc<Polar>, Arrangement)>, Diagnostic> {
+) -> Result<Option<(Arc<Polar>, ArgumentNames)>, Diagnostic> {
     let Kind::Apply(callee, groups) = &call.kind else { return Ok(None) };
     let Ok(Value::Polar(polar)) = machine.eval(callee) else { return Ok(None) };
     let mut lists: Vec<Vec<Vec<Symbol>>> = Vec::new();
@@ -83,7 +83,7 @@ fn polar_at_symbols(
     flat.sort();
     flat.dedup();
     let fits = lists.iter().map(Vec::len).eq(polar.arity());
-    Ok((fits && flat.len() == count).then(|| (polar, Arrangement::new(lists))))
+    Ok((fits && flat.len() == count).then(|| (polar, ArgumentNames::new(lists))))
 }
 
 /// The symbols of an argument: one for a number, several for a point.

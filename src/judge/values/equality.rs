@@ -8,7 +8,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::ops::errors::division_by_zero;
 use crate::language::ops::polar::{expand_polar, laws_report};
 use crate::language::value::{Function, Judgement, Polar, PolarKind, Value, Verdict, Witness};
-use crate::math::blossom::laws::Arrangement;
+use crate::math::blossom::laws::ArgumentNames;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -304,7 +304,7 @@ fn polar_against_function(
     }
     let mut names = names.chunks(dimension).map(|point| point.iter().map(|name| (*name).clone()).collect());
     let lists = groups.iter().map(|&count| names.by_ref().take(count).collect()).collect();
-    let arrangement = Arrangement::new(lists);
+    let arrangement = ArgumentNames::new(lists);
     if let Some(expanded) = expand_polar(polar, &arrangement) {
         equal_scalars(judgement, &Fraction::from(expanded), formula);
         if judgement.verdict == Verdict::Refuted {

@@ -94,7 +94,7 @@ fn curves(left: &Geometry, right: &Geometry) -> Comparison {
     if a.dimension() != b.dimension() {
         return dimensions(a.dimension() - 1, b.dimension() - 1);
     }
-    if a.domain() != b.domain() {
+    if a.interval() != b.interval() {
         return Different("they have different domains".to_owned());
     }
     // Both over the knots of both.

@@ -6,7 +6,7 @@ use super::words::{Reason, Title};
 use crate::formula::{Expr, Sign, Term};
 use crate::language::value::{Derivation, Form, polynomial_expr};
 use crate::math::curve::{BezierCurve, TensorPatch};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Fraction, Symbol, horner};
 use crate::math::ring::Ring;
 use num_traits::{One, Zero};
 
@@ -96,6 +96,5 @@ pub fn coons(
 
 /// The coordinates as polynomials of the parameter, by its powers.
 fn coordinates(power: &[Vec<Fraction>], t: &Fraction) -> Coordinates {
-    let of = |list: &Vec<Fraction>| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(t).plus(c));
-    power.iter().map(of).collect()
+    power.iter().map(|list| horner(list, t)).collect()
 }

@@ -12,6 +12,7 @@ use crate::formula::{Accent, Expr, Kind};
 use crate::language::value::{Derivation, Form, Line, Notation, grouped_expr, symbol_expr};
 use crate::math::blossom::PolarForm;
 use crate::math::curve::{BezierCurve, Point};
+use crate::math::interval::Interval;
 use crate::math::number::{Rational, binomial, factorial};
 use crate::math::poly::{Fraction, Symbol};
 
@@ -28,7 +29,7 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         given(Expr::name("F"), &polar, Reason::DegreeAtMost(n)),
         line(polar.equation(Expr::name("f"), Notation::Grouped), Reason::PolarFormOf("F")),
     ];
-    let result = grouped_expr(&univariate(form.derivative(k.min(n + 1)), variable).diagonal());
+    let result = grouped_expr(&univariate(form.nth_derivative(k.min(n + 1)), variable).diagonal());
     let title = Title::Derivative(k).words();
     if k > n {
         lines.push(line(chain([left(), Expr::int(0)]), Reason::MoreHatsThanArguments { n, k }));
@@ -98,7 +99,7 @@ pub fn elevation(form: &PolarForm<Fraction>, variable: &Symbol, by: usize) -> De
     ];
     let size = n as u64 + by as u64 + 1;
     crate::budget::charge_terms(size.saturating_mul(by as u64));
-    let points = |form: &PolarForm<Fraction>| form.bezier_points(&integer(0), &integer(1));
+    let points = |form: &PolarForm<Fraction>| form.bezier_points(&Interval::unit());
     let mut name = Expr::name("f");
     for degree in n..n + by {
         crate::budget::step();

@@ -7,6 +7,7 @@ use super::words::{Reason, Title};
 use crate::formula::Expr;
 use crate::language::value::{Derivation, Notation, Value, polynomial_expr};
 use crate::math::blossom::PolarForm;
+use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::poly::{ClipOutcome, Fraction, Poly, RealRoot, Symbol};
 
@@ -14,7 +15,7 @@ use crate::math::poly::{ClipOutcome, Fraction, Poly, RealRoot, Symbol};
 /// values of the polar form, and the next interval is where the hull of the Bézier points meets the axis.
 ///
 /// Cost: that of [`Poly::clipping`], and a line for each interval.
-pub fn clipping(f: &Poly, variable: &Symbol, a: &Rational, b: &Rational, width: &Rational) -> Derivation {
+pub fn clipping(f: &Poly, variable: &Symbol, interval: &Interval<Rational>, width: &Rational) -> Derivation {
     let polar =
         |p: &Poly| PolarForm::new(p.coefficients().into_iter().map(Fraction::from).collect::<Vec<_>>());
     let mut lines = vec![given(Expr::name("F"), &univariate(polar(f), variable), Reason::Given)];
@@ -31,7 +32,7 @@ pub fn clipping(f: &Poly, variable: &Symbol, a: &Rational, b: &Rational, width: 
         Reason::PolarFormOf(name),
     ));
     let mut found: Vec<RealRoot> = Vec::new();
-    for step in own.clipping(a, b, width) {
+    for step in own.clipping(interval, width) {
         let ends = [&step.lower, &step.upper].map(|q| Fraction::from(q.clone()));
         let point = |(i, b): (usize, &Rational)| {
             let arguments = [vec![ends[0].clone(); n - i], vec![ends[1].clone(); i]].concat();

@@ -6,9 +6,9 @@ use crate::formula::{Expr, Kind, Sign, Term};
 use crate::language::value::{Derivation, Line, polynomial_expr};
 use crate::math::blossom::{MultirationalError, multirational, rational_antiderivative};
 use crate::math::number::{Rational, binomial, factorial};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Symbol, horner};
 use crate::math::ring::{Field, Ring};
-use num_traits::{One, Zero};
+use num_traits::One;
 
 /// Differences of more nodes are not written one by one.
 const MOST_NODES: usize = 5;
@@ -95,8 +95,7 @@ fn by_differences(
     let order = v.len() - u.len();
     let at = |name: Expr, x: &Fraction| Expr::apply(name, vec![polynomial_expr(x)]);
     let letter = symbol(t);
-    let polynomial =
-        |list: &[Fraction]| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&letter).plus(c));
+    let polynomial = |list: &[Fraction]| horner(list, &letter);
     let (a, b) = rational_antiderivative(above, below, order - 1)?;
     let scale = Rational::from_integer(factorial(order - 1));
     let g = polynomial(&a).times(&polynomial(&b).inverse().ok_or(MultirationalError::Pole)?).scaled(&scale);

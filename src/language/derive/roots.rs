@@ -9,6 +9,7 @@ use crate::language::value::{
     Derivation, Line, Notation, Value, grouped_expr, in_letter, polynomial_expr, symbol_expr,
 };
 use crate::math::blossom::PolarForm;
+use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Poly, Symbol};
 use num_traits::Zero;
@@ -18,7 +19,8 @@ use num_traits::Zero;
 /// known, elsewhere the interval is halved.
 ///
 /// Cost: n + 1 polar values for each interval, and one derivation line.
-pub fn roots(f: &Poly, variable: &Symbol, a: &Rational, b: &Rational) -> Derivation {
+pub fn roots(f: &Poly, variable: &Symbol, interval: &Interval<Rational>) -> Derivation {
+    let (a, b) = interval.ends();
     let formula = |p: &Poly| Fraction::from(in_letter(p, variable));
     let polar =
         |p: &Poly| PolarForm::new(p.coefficients().into_iter().map(Fraction::from).collect::<Vec<_>>());
@@ -47,7 +49,7 @@ pub fn roots(f: &Poly, variable: &Symbol, a: &Rational, b: &Rational) -> Derivat
         line(chain([left, Expr::int(0)]), Reason::EndIsRoot)
     };
     lines.extend(own.value(a).is_zero().then(|| root_line(a)));
-    let parts = own.subdivision(a, b);
+    let parts = own.subdivision(interval);
     crate::budget::charge_terms((parts.len() as u64).saturating_mul(n as u64 + 1));
     for part in parts {
         let ends = [&part.lower, &part.upper].map(|q| Fraction::from(q.clone()));

@@ -8,8 +8,8 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
 use crate::language::value::{Derivation, Form, Geometry, Line, polynomial_expr, symbol_expr};
 use crate::math::curve::{BezierCurve, CurveError, Tableau};
-use crate::math::piecewise::compare;
 use crate::math::poly::Fraction;
+use crate::math::ring::compare;
 use crate::math::ring::{Field, Ring};
 use crate::math::spline::{BSpline, DeBoor, SplineError};
 

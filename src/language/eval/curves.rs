@@ -84,7 +84,7 @@ pub(crate) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span:
         Geometry::Spline(spline, _) => {
             let [(t, place)] = scalars(geometry, values, span)?;
             spline.value(&t).map_err(|error| match error {
-                SplineError::OutsideDomain => outside(place, "domain", spline.domain()),
+                SplineError::OutsideDomain => outside(place, "domain", spline.interval().ends()),
                 other => spline_error(other).at(place),
             })?
         }

@@ -291,7 +291,8 @@ fn in_bernstein(args: &Arguments) -> Result<Value> {
     };
     let interval = Interval::new(end("a", Fraction::zero())?, end("b", Fraction::one())?);
     let coordinates: Vec<Vec<Fraction>> = parts.iter().map(|part| part.coefficients.clone()).collect();
-    let curve = interval.and_then(|interval| BezierCurve::from_power(&coordinates, interval));
+    let curve =
+        interval.map_err(Into::into).and_then(|interval| BezierCurve::from_power(&coordinates, interval));
     let mut curve = curve.map_err(curve_error).at(args.span(0))?;
     if let Some(asked) = args.optional_size(1)? {
         let polynomial = curve.degree();

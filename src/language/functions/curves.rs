@@ -175,9 +175,9 @@ pub(super) const TABLE: &[Builtin] = &[
                     .reason(format!("the interval is [{a}, {b}]"))
                     .hint("part(c, r, s) is the polynomial over any interval"));
             }
-            let forwards = crate::math::piecewise::compare(curve.interval().start(), curve.interval().end());
+            let forwards = crate::math::ring::compare(curve.interval().start(), curve.interval().end());
             places.sort_by(|x, y| {
-                let order = crate::math::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal);
+                let order = crate::math::ring::compare(x, y).unwrap_or(std::cmp::Ordering::Equal);
                 if forwards == Some(std::cmp::Ordering::Greater) { order.reverse() } else { order }
             });
             let parts = curve.subdivide_at(&places).map_err(curve_error).at(args.span(1))?;
@@ -198,12 +198,12 @@ pub(super) const TABLE: &[Builtin] = &[
         on_surface: on_surface::PART,
         call: |_, args| {
             if let Some((s, form)) = given_spline(args)? {
-                let part = s.part(&args.scalar(1)?, &args.scalar(2)?).map_err(spline_error);
+                let part = stretch(args).and_then(|interval| s.part(interval).map_err(spline_error));
                 return part.map(|part| spline(part, form)).at(args.span(1));
             }
             let (curve, form) = args.bezier(0)?;
-            let part = curve.part(&args.scalar(1)?, &args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
-            Ok(bezier(part, form))
+            let interval = stretch(args).at(args.span(2))?;
+            Ok(bezier(curve.part(interval), form))
         },
         ..NEW
     },
@@ -295,7 +295,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 }
                 Value::Geometry(geometry) => match &**geometry {
                     Geometry::Bezier(curve, _) => curve.interval().ends(),
-                    Geometry::Spline(spline, _) => spline.domain(),
+                    Geometry::Spline(spline, _) => spline.interval().ends(),
                     _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
                 },
                 other => return Err(wrong_kind("a curve", other).at(args.span(0))),
@@ -501,7 +501,7 @@ fn spline_parts(
     mut places: Vec<Fraction>,
     form: Form,
 ) -> Result<Value> {
-    places.sort_by(|x, y| crate::math::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal));
+    places.sort_by(|x, y| crate::math::ring::compare(x, y).unwrap_or(std::cmp::Ordering::Equal));
     let mut parts = Vec::with_capacity(places.len() + 1);
     let mut rest = s;
     for t in &places {
@@ -574,6 +574,11 @@ fn hull(args: &Arguments) -> Evaluated {
     let hull = curve::convex_hull(&numbers).map_err(curve_error).at(args.span(0))?;
     let corner = |point: Point<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
     Ok(Value::List(hull.into_iter().map(corner).collect()))
+}
+
+/// [r, s] at the second and third place.
+fn stretch(args: &Arguments) -> Result<Interval<Fraction>> {
+    Interval::new(args.scalar(1)?, args.scalar(2)?).map_err(curve_error)
 }
 
 /// One parameter n times, or all arguments as they are.

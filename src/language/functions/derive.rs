@@ -21,6 +21,7 @@ use crate::language::ops::takes::Takes;
 use crate::language::value::{Derivation, Geometry, Polar, PolarKind, Value};
 use crate::math::blossom::PolarForm;
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
+use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Poly, Symbol};
 
@@ -429,21 +430,20 @@ fn real_roots(args: &Arguments) -> Result<Derivation> {
             .at(args.span(0))
             .hint("give a polynomial of degree 1 or more: derive(roots, t^2 - 2)"));
     }
-    let (a, b) = searched(args, &polynomial)?;
-    Ok(derive::roots(&polynomial, &variable, &a, &b))
+    Ok(derive::roots(&polynomial, &variable, &searched(args, &polynomial)?))
 }
 
 /// The interval in which roots are looked for.
-fn searched(args: &Arguments, polynomial: &Poly) -> Result<(Rational, Rational)> {
+fn searched(args: &Arguments, polynomial: &Poly) -> Result<Interval<Rational>> {
     let (a, b) = super::roots::interval(args, 1)?;
     let bound = polynomial.root_bound();
     let (a, b) = (a.unwrap_or_else(|| -&bound), b.unwrap_or(bound));
-    if a >= b {
-        return Err(Diagnostic::error(Code::Domain, format!("there is nothing between {a} and {b}"))
+    let ordered = if a < b { Interval::new(a.clone(), b.clone()).ok() } else { None };
+    ordered.ok_or_else(|| {
+        Diagnostic::error(Code::Domain, format!("there is nothing between {a} and {b}"))
             .at(args.span(1))
-            .hint("give two ends, the lower one first"));
-    }
-    Ok((a, b))
+            .hint("give two ends, the lower one first")
+    })
 }
 
 fn clipped(args: &Arguments) -> Result<Derivation> {
@@ -453,9 +453,9 @@ fn clipped(args: &Arguments) -> Result<Derivation> {
             .at(args.span(0))
             .hint("give a polynomial of degree 1 or more: derive(clipping, t^2 - 2)"));
     }
-    let (a, b) = searched(args, &polynomial)?;
+    let interval = searched(args, &polynomial)?;
     let width = super::roots::width(args)?.unwrap_or_else(|| crate::math::number::rational(1, 1000));
-    Ok(derive::clipping(&polynomial, &variable, &a, &b, &width))
+    Ok(derive::clipping(&polynomial, &variable, &interval, &width))
 }
 
 fn moments(args: &Arguments) -> Result<Derivation> {

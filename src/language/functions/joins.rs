@@ -17,7 +17,7 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::basis::{Basis, change_of_basis};
-use crate::math::curve::{self, BezierCurve, Point};
+use crate::math::curve::{self, BezierCurve, Interval, Point};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
 
@@ -106,7 +106,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let (start, b) = curve.interval().ends();
             let end = args.optional_scalar(2)?.unwrap_or_else(|| b.plus(&b.minus(start)));
             let place = if args.given(2).is_some() { args.span(2) } else { args.span(0) };
-            let next = curve.part(b, &end).map_err(curve_error).at(place)?;
+            let next = curve.part(Interval::new(b.clone(), end).map_err(curve_error).at(place)?);
             Ok(Value::list(next.points().iter().take(k + 1).map(|point| form.plain(point.clone())).collect()))
         },
         ..NEW
@@ -270,12 +270,10 @@ fn convert(args: &Arguments) -> Result<Value> {
             || matches!(args.value(0)?, Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)))
         {
             let (s, form) = &args.spline(0)?;
-            let (a, b) = s.domain();
             let pieces = s.bezier_pieces();
-            let whole = pieces[0].part(a, b).map_err(curve_error)?;
+            let whole = pieces[0].part(s.interval().clone());
             for (i, piece) in pieces.iter().enumerate() {
-                let (from, to) = piece.interval().ends();
-                if &whole.part(from, to).map_err(curve_error)? != piece {
+                if &whole.part(piece.interval().clone()) != piece {
                     return Err(Diagnostic::error(
                         Code::NotReducible,
                         format!("piece {i} is another polynomial than piece 0"),

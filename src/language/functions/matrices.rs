@@ -234,7 +234,7 @@ fn lifted(matrix: &DMatrix<Rational>) -> Value {
 /// The diagnostic for an error of bases.
 pub(super) fn basis_error(error: BasisError) -> Diagnostic {
     let code = match error {
-        BasisError::EqualEnds | BasisError::EqualNodes { .. } => Code::Coincident,
+        BasisError::EqualNodes { .. } => Code::Coincident,
         _ => Code::Shape,
     };
     Diagnostic::error(code, error.to_string())

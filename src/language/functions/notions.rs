@@ -3,15 +3,14 @@
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
-use crate::language::ops::errors::{subdivision_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, subdivision_error, wrong_kind};
 use crate::language::ops::takes::{Notion, Takes, alternatives, word_of};
 use crate::language::value::Value;
 use crate::math::basis::Basis;
+use crate::math::interval::{EmptyInterval, Interval};
 use crate::math::number::rational;
 use crate::math::poly::Fraction;
 use crate::math::subdivision::{Scheme, VertexScheme};
-use num_traits::{One, Zero};
-
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// A way to write something with a name, and what it is for the numbers behind the name.
@@ -62,31 +61,31 @@ pub(crate) fn chosen<T: Copy>(given: Option<(&Value, Span)>, choices: &[(&str, T
     })
 }
 
-const BASES: [Way<Basis<Fraction>>; 9] = [
-    Way { word: "power", form: "power", read: |n| n.is_empty().then_some(Basis::Power) },
-    Way { word: "bernstein", form: "bernstein", read: |n| alone(n).map(|(a, b)| Basis::Bernstein { a, b }) },
+const BASES: [Way<Over<Basis<Fraction>>>; 9] = [
+    Way { word: "power", form: "power", read: |n| n.is_empty().then_some(Ok(Basis::Power)) },
+    Way { word: "bernstein", form: "bernstein", read: |n| alone(n).map(Basis::Bernstein).map(Ok) },
     Way {
         word: "bernstein",
         form: "[bernstein, a, b]",
-        read: |n| ends(n).map(|(a, b)| Basis::Bernstein { a, b }),
+        read: |n| over(n).map(|interval| interval.map(Basis::Bernstein)),
     },
-    Way { word: "taylor", form: "[taylor, a]", read: |n| one(n).map(|at| Basis::Taylor { at }) },
-    Way { word: "lagrange", form: "[lagrange, t_0, t_1, ...]", read: |n| Some(Basis::Lagrange(n.to_vec())) },
-    Way { word: "newton", form: "[newton, t_0, t_1, ...]", read: |n| Some(Basis::Newton(n.to_vec())) },
+    Way { word: "taylor", form: "[taylor, a]", read: |n| one(n).map(|at| Ok(Basis::Taylor { at })) },
     Way {
-        word: "hermite",
-        form: "hermite",
-        read: |n| alone(n).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
+        word: "lagrange",
+        form: "[lagrange, t_0, t_1, ...]",
+        read: |n| Some(Ok(Basis::Lagrange(n.to_vec()))),
     },
+    Way { word: "newton", form: "[newton, t_0, t_1, ...]", read: |n| Some(Ok(Basis::Newton(n.to_vec()))) },
+    Way { word: "hermite", form: "hermite", read: |n| alone(n).map(Basis::HermiteEndpoints).map(Ok) },
     Way {
         word: "hermite",
         form: "[hermite, a, b]",
-        read: |n| ends(n).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
+        read: |n| over(n).map(|interval| interval.map(Basis::HermiteEndpoints)),
     },
     Way {
         word: "legendre",
         form: "[legendre, a, b]",
-        read: |n| ends(n).map(|(a, b)| Basis::Legendre { a, b }),
+        read: |n| over(n).map(|interval| interval.map(Basis::Legendre)),
     },
 ];
 
@@ -171,8 +170,15 @@ fn ends(numbers: &[Fraction]) -> Option<(Fraction, Fraction)> {
     if let [a, b] = numbers { Some((a.clone(), b.clone())) } else { None }
 }
 
-fn alone(numbers: &[Fraction]) -> Option<(Fraction, Fraction)> {
-    numbers.is_empty().then(|| (Fraction::zero(), Fraction::one()))
+fn alone(numbers: &[Fraction]) -> Option<Interval<Fraction>> {
+    numbers.is_empty().then(Interval::unit)
+}
+
+/// What is given over an interval, if that has two ends.
+type Over<T> = std::result::Result<T, EmptyInterval>;
+
+fn over(numbers: &[Fraction]) -> Option<Over<Interval<Fraction>>> {
+    ends(numbers).map(|(a, b)| Interval::new(a, b))
 }
 
 /// Whether a word that stands alone names a basis or a scheme. Before a bracket it is the function of that name;
@@ -202,7 +208,7 @@ fn read<T>(ways: &[Way<T>], kind: Takes, value: &Value, span: Span) -> Result<T>
 
 /// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
 pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
-    read(&BASES, BASIS, value, span)
+    read(&BASES, BASIS, value, span)?.map_err(curve_error).at(span)
 }
 
 /// The basis at a place.

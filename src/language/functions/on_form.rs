@@ -78,7 +78,7 @@ fn derivative(args: &Arguments) -> Evaluated {
             orders(2)?;
             form.derivative(args.size(1)?, args.optional_size(2)?.unwrap_or(0)).map(PolarKind::Tensor)
         }
-        PolarKind::Univariate(form) => Ok(PolarKind::Univariate(form.derivative(args.size(1)?))),
+        PolarKind::Univariate(form) => Ok(PolarKind::Univariate(form.nth_derivative(args.size(1)?))),
     };
     let kind = kind.map_err(polar_error).at(args.span(1))?;
     Ok(Value::Polar(Arc::new(Polar { kind, variables: f.variables.clone() })))

@@ -179,7 +179,7 @@ fn derivative(args: &Arguments) -> Evaluated {
 /// The derivative of that order of the curve at the first place.
 pub(super) fn nth_derivative(args: &Arguments, order: usize) -> Evaluated {
     if let Value::Piecewise(function) = args.value(0)? {
-        let derived = function.function.derivative(order);
+        let derived = function.function.nth_derivative(order);
         let variable = function.variable.clone();
         return Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(derived, variable))));
     }
@@ -190,7 +190,7 @@ pub(super) fn nth_derivative(args: &Arguments, order: usize) -> Evaluated {
             let derived = (0..order).fold(curve, |curve, _| curve.derivative());
             Ok(bezier(derived.homogeneous().clone(), *form))
         }
-        Geometry::Bezier(curve, form) => Ok(bezier(curve.derivative(order), *form)),
+        Geometry::Bezier(curve, form) => Ok(bezier(curve.nth_derivative(order), *form)),
         Geometry::Spline(s, form) if form.rational => {
             let derived = RationalSpline::from_homogeneous(s.clone())
                 .and_then(|s| (0..order).try_fold(s, |s, _| s.derivative()));
@@ -296,7 +296,7 @@ fn bezier_points(args: &Arguments) -> Evaluated {
             let a = a.unwrap_or_else(|| curve.interval().start().clone());
             let b = b.unwrap_or_else(|| a.plus(&Fraction::one()));
             let place = if args.given(1).is_some() { 1 } else { 2 };
-            curve.part(&a, &b).map_err(curve_error).at(args.span(place))?
+            curve.part(Interval::new(a, b).map_err(curve_error).at(args.span(place))?)
         }
     };
     match form.split(curve.points()) {

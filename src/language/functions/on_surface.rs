@@ -206,7 +206,7 @@ fn elevate(args: &Arguments) -> Evaluated {
         Geometry::Patch(patch, form) => Ok(tensor(patch.elevate(k, l), *form)),
         Geometry::Triangle(patch, form) => Ok(triangular(patch.elevate(k), *form)),
         Geometry::Surface(s, form) => {
-            let raised = s.elevate(Direction::U, k).and_then(|s| s.elevate(Direction::V, l));
+            let raised = s.elevate(k, l);
             raised.map(|s| surface(s, *form)).map_err(spline_error)
         }
         other => Err(not_for(other, args)),
@@ -223,7 +223,7 @@ fn reduce(args: &Arguments) -> Evaluated {
             patch.reduce(k).map(|p| triangular(p, *form)).map_err(curve_error).at(args.span(0))
         }
         Geometry::Surface(s, form) => {
-            let lower = s.reduce(Direction::U, k).and_then(|s| s.reduce(Direction::V, l));
+            let lower = s.reduce(k, l);
             lower.map(|s| surface(s, *form)).map_err(spline_error).at(args.span(0))
         }
         other => Err(not_for(other, args)),
@@ -400,7 +400,7 @@ fn cut<S>(
 fn part(args: &Arguments) -> Evaluated {
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => Ok(tensor(patch.part(args.interval(1)?, args.interval(2)?), *form)),
-        Geometry::Triangle(patch, form) => Ok(triangular(patch.over(args.triangle(1)?), *form)),
+        Geometry::Triangle(patch, form) => Ok(triangular(patch.part(args.triangle(1)?), *form)),
         Geometry::Surface(s, form) => {
             let part = s.part(args.interval(1)?, args.interval(2)?).map_err(spline_error);
             part.map(|part| surface(part, *form)).at(args.span(1))

@@ -12,6 +12,7 @@ use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{self, Univariate};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Value, in_letter};
+use crate::math::interval::Interval;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MultiPoly, Poly, RealRoot, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -98,7 +99,12 @@ pub(super) const TABLE: &[Builtin] = &[
                 }
                 _ => [args.rational(1)?, args.rational(2)?],
             };
-            let count = polynomial.count_roots(&ends[0], &ends[1]);
+            let [a, b] = ends;
+            let count = match Interval::new(a, b) {
+                Ok(interval) => polynomial.count_roots(&interval),
+                // Nothing lies between equal ends.
+                Err(_) => polynomial.degree().map(|_| 0),
+            };
             count.map(|count| Value::int(count as i64)).ok_or_else(|| zero_polynomial(args))
         },
         ..NEW

@@ -16,6 +16,7 @@ use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value, free_parameter, polynomial_expr};
+use crate::math::interval::Interval;
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -164,7 +165,10 @@ pub(super) const TABLE: &[Builtin] = &[
                     .at(args.span(1))
                     .hint("such as [0, 1, 2]"));
             };
-            let knots = KnotVector::clamped(n, a, inner, b).map_err(spline_error).at(args.span(1))?;
+            let interval = Interval::new(a.clone(), b.clone())
+                .map_err(|error| spline_error(error.into()))
+                .at(args.span(1))?;
+            let knots = KnotVector::clamped(n, inner, &interval).map_err(spline_error).at(args.span(1))?;
             Ok(scalar_list(knots.knots().iter().cloned()))
         },
         ..NEW
@@ -579,7 +583,7 @@ pub(super) fn nearest_piece(s: &BSpline<Fraction>, t: &Fraction) -> Result<usize
     match s.knots().span_of(t) {
         Ok(span) => Ok(span),
         Err(crate::math::spline::SplineError::OutsideDomain) => {
-            let before = crate::math::piecewise::compare(t, s.domain().0) == Some(Ordering::Less);
+            let before = crate::math::ring::compare(t, s.interval().start()) == Some(Ordering::Less);
             Ok(if before { spans[0] } else { spans[spans.len() - 1] })
         }
         Err(error) => Err(spline_error(error)),

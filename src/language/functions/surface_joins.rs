@@ -135,7 +135,7 @@ fn convert(args: &Arguments) -> Evaluated {
         (Geometry::Surface(..), "pieces") => pieces(&args.only(1)),
         (Geometry::Patch(patch, form), "bspline") => {
             let knots = |interval: &crate::math::curve::Interval<Fraction>, n: usize| {
-                crate::math::spline::KnotVector::clamped(n, interval.start(), &[], interval.end()).map_err(spline_error)
+                crate::math::spline::KnotVector::clamped(n, &[], interval).map_err(spline_error)
             };
             let (m, n) = patch.degrees();
             let (u, v) = (knots(patch.u(), m)?, knots(patch.v(), n)?);

@@ -7,7 +7,7 @@ use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, polar_error};
 use crate::language::ops::polar::laws_report;
 use crate::language::value::{Polar, PolarKind, Value};
-use crate::math::blossom::laws::Arrangement;
+use crate::math::blossom::laws::ArgumentNames;
 use crate::math::blossom::{PolarForm, symmetrize};
 use crate::math::poly::Fraction;
 use crate::math::ring::Ring;
@@ -40,7 +40,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 return Err(Diagnostic::error(Code::NotPolynomial, "an argument stands in the denominator")
                     .at(args.span(0)));
             }
-            let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
+            let arrangement = ArgumentNames::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
             let mean = symmetrize(expression.numerator(), &arrangement);
             Fraction::new(mean, expression.denominator().clone())
                 .map(Value::Scalar)
@@ -105,7 +105,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let given = args.univariate(2)?;
             let form = PolarForm::with_degree(given.coefficients, names.len()).map_err(polar_error)?;
             let polar = Polar { kind: PolarKind::Univariate(form), variables: vec![given.variable] };
-            let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
+            let arrangement = ArgumentNames::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
             let lines = laws_report(&polar, &expression, &arrangement);
             Ok(match lines.as_slice() {
                 [] => Value::Text("symmetric, multi-affine, right diagonal: it is the polar form".into()),

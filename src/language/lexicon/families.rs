@@ -3,7 +3,7 @@
 use crate::formula::{Expr, Kind};
 use crate::math::basis;
 use crate::math::blossom::{PolarError, PolarForm};
-use crate::math::number::{Rational, binomial, multinomial};
+use crate::math::number::{Rational, binomial};
 use crate::math::poly::{Coefficients, Fraction};
 use crate::math::ring::Ring;
 use crate::math::spline::KnotVector;
@@ -163,8 +163,7 @@ pub(crate) fn bernstein(n: i64, i: i64, t: &Fraction) -> Fraction {
 
 /// n!/(i! j! k!) u^i v^j w^k for indices that add up to n.
 pub(crate) fn triangular(indices: &[usize], at: &[Fraction]) -> Fraction {
-    let weight = Fraction::from_rational(&Rational::from_integer(multinomial(indices)));
-    indices.iter().zip(at).fold(weight, |product, (&i, x)| product.times(&num_traits::pow(x.clone(), i)))
+    basis::bernstein_simplex(indices, at)
 }
 
 /// σ_{i,n}: the mean of the products of i of the arguments, which is the polar form of t^i.

@@ -27,7 +27,7 @@ pub(crate) fn derivative(value: &Value, order: usize) -> Result<Value> {
         }
         Value::Polar(polar) => match &polar.kind {
             PolarKind::Univariate(form) => Ok(Value::Polar(Arc::new(Polar {
-                kind: PolarKind::Univariate(form.derivative(order)),
+                kind: PolarKind::Univariate(form.nth_derivative(order)),
                 variables: polar.variables.clone(),
             }))),
             _ => Err(Diagnostic::error(Code::Type, "say in which direction to differentiate")

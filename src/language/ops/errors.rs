@@ -62,14 +62,14 @@ pub(crate) fn polar_error(error: PolarError) -> Diagnostic {
         PolarError::ArgumentCount { .. } | PolarError::TooManyArguments { .. } => Code::Arity,
         PolarError::DegreeTooSmall { .. } => Code::DegreeTooSmall,
         PolarError::NotReducible { .. } => Code::NotReducible,
-        PolarError::EmptyInterval => Code::Coincident,
         PolarError::DegreeMismatch { .. } | PolarError::NoCoefficients => Code::Shape,
     };
     Diagnostic::error(code, error.to_string())
 }
 
 /// The diagnostic for an error of curves.
-pub(crate) fn curve_error(error: CurveError) -> Diagnostic {
+pub(crate) fn curve_error(error: impl Into<CurveError>) -> Diagnostic {
+    let error = error.into();
     let message = error.to_string();
     let (code, hint) = match error {
         CurveError::TooFewPoints { .. } => (Code::ControlPoints, "a point is a list such as [1, 2]"),

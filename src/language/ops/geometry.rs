@@ -70,8 +70,7 @@ pub(crate) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
 pub(crate) fn as_spline(
     curve: &BezierCurve<Fraction>,
 ) -> std::result::Result<BSpline<Fraction>, SplineError> {
-    let (a, b) = curve.interval().ends();
-    let knots = KnotVector::clamped(curve.degree(), a, &[], b)?;
+    let knots = KnotVector::clamped(curve.degree(), &[], curve.interval())?;
     BSpline::new(knots, curve.points().to_vec())
 }
 

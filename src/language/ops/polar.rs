@@ -6,7 +6,7 @@ use super::errors::{polar_error, wrong_kind};
 use crate::formula::Accent;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
-use crate::math::blossom::laws::{self, Arrangement};
+use crate::math::blossom::laws::{self, ArgumentNames};
 use crate::math::blossom::{
     Argument, PointArgument, TensorPolarForm, TotalDegreePolarForm, Written, expand_tensor, expand_total,
     expand_univariate,
@@ -126,7 +126,7 @@ pub(crate) fn levelled(list: Vec<Value>) -> Vec<Value> {
 
 /// The form written out in the arguments of the arrangement; `None` if a coefficient is a
 /// proper quotient.
-pub(crate) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
+pub(crate) fn expand_polar(polar: &Polar, arrangement: &ArgumentNames) -> Option<MultiPoly> {
     let written = |c: &Fraction| c.as_written().is_some();
     match &polar.kind {
         PolarKind::Univariate(form) => {
@@ -144,7 +144,7 @@ pub(crate) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<M
 }
 
 /// What the laws of polar forms say about a claimed expression.
-pub(crate) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
+pub(crate) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &ArgumentNames) -> Vec<String> {
     let Some(claim) = claim.as_polynomial() else {
         return vec!["the claimed expression is not a polynomial in the arguments".to_owned()];
     };

@@ -1,9 +1,7 @@
 //! Polar forms as values: with the names of their arguments, and the ways to write them out.
 
 use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
-use crate::math::ring::Ring;
-use num_traits::Zero;
+use crate::math::poly::{Fraction, MultiPoly, Symbol, horner};
 
 /// How to write a polar form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -59,9 +57,6 @@ impl Polar {
     /// The polynomial F(t) = f(t, …, t) in the variables of the form.
     pub fn diagonal(&self) -> Fraction {
         let variable = |k: usize| Fraction::from(MultiPoly::symbol(self.variables[k].clone()));
-        let horner = |list: &[Fraction], x: &Fraction| {
-            list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(x).plus(c))
-        };
         match &self.kind {
             PolarKind::Univariate(form) => horner(form.coefficients(), &variable(0)),
             PolarKind::Tensor(form) => {

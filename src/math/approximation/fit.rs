@@ -11,6 +11,7 @@ use super::{ApproximationError, spline_gram};
 use crate::budget;
 use crate::math::curve::Point;
 use crate::math::interpolate::{InterpolationError, increasing};
+use crate::math::interval::Interval;
 use crate::math::linalg::{rank, solve};
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
@@ -61,13 +62,15 @@ fn as_points<C: Field>(solution: &DMatrix<C>) -> Vec<Point<C>> {
 ///
 /// ```
 /// use polarform::approximation::{ApproximationError, interpolating_spline};
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::KnotVector;
-/// let knots = || KnotVector::clamped(2, &z(0), &[z(2)], &z(4));
+/// let whole = Interval::new(z(0), z(4))?;
+/// let knots = || KnotVector::clamped(2, &[z(2)], &whole);
 /// let values = [0, 1, 9, 16].map(|y| [z(y)].into());
 /// let s = interpolating_spline(knots()?, &[0, 1, 3, 4].map(z), &values)?;
 /// assert_eq!(s.points(), [[z(0)], [z(0)], [z(8)], [z(16)]]); // t²
-/// let hats = KnotVector::clamped(1, &z(0), &[z(2), z(3)], &z(4))?;
+/// let hats = KnotVector::clamped(1, &[z(2), z(3)], &whole)?;
 /// let early = interpolating_spline(hats, &[q(0, 1), q(1, 1), q(3, 2), q(4, 1)], &values);
 /// assert_eq!(early, Err(ApproximationError::SchoenbergWhitney { index: 2 }));
 /// # Ok::<(), ApproximationError>(())
@@ -77,7 +80,7 @@ pub fn interpolating_spline<C: Field>(
     nodes: &[C],
     values: &[Point<C>],
 ) -> Result<BSpline<C>, ApproximationError> {
-    knots.domain()?;
+    knots.interval()?;
     let m = knots.count();
     if nodes.len() != m {
         return Err(ApproximationError::NodeCount { nodes: nodes.len(), functions: m });
@@ -113,10 +116,11 @@ pub fn interpolating_spline<C: Field>(
 ///
 /// ```
 /// use polarform::approximation::{ApproximationError, fitted_spline};
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::KnotVector;
 /// // the line next to 0, 1, 1, 2
-/// let knots = KnotVector::clamped(1, &z(0), &[], &z(3))?;
+/// let knots = KnotVector::clamped(1, &[], &Interval::new(z(0), z(3))?)?;
 /// let values = [0, 1, 1, 2].map(|y| [z(y)].into());
 /// let fit = fitted_spline(knots, &[0, 1, 2, 3].map(z), &values, None, None)?;
 /// assert_eq!(fit.points(), [[q(1, 10)], [q(19, 10)]]);
@@ -129,7 +133,7 @@ pub fn fitted_spline<C: Field>(
     weights: Option<&[C]>,
     smoothing: Option<&Smoothing<C>>,
 ) -> Result<BSpline<C>, ApproximationError> {
-    knots.domain()?;
+    knots.interval()?;
     let size = as_many(nodes, values)?;
     let weights = weights.map_or_else(|| vec![C::one(); nodes.len()], <[C]>::to_vec);
     if weights.len() != nodes.len() {
@@ -218,5 +222,6 @@ pub fn averaged_knots<C: Field>(n: usize, nodes: &[C]) -> Result<KnotVector<C>, 
     };
     let first = usize::from(n > 0);
     let inner: Vec<C> = (first..first + m - n - 1).map(mean).collect();
-    Ok(KnotVector::clamped(n, &nodes[0], &inner, &nodes[m - 1])?)
+    let interval = Interval::new(nodes[0].clone(), nodes[m - 1].clone())?;
+    Ok(KnotVector::clamped(n, &inner, &interval)?)
 }

@@ -53,9 +53,10 @@ pub fn de_boor_fix<C: Field>(label: &[C], tau: &C) -> Vec<C> {
 ///
 /// ```
 /// use polarform::approximation::schoenberg;
+/// use polarform::interval::Interval;
 /// use polarform::number::{Rational, integer as z};
 /// use polarform::spline::{KnotVector, SplineError};
-/// let knots = KnotVector::clamped(2, &z(0), &[z(2)], &z(4))?;
+/// let knots = KnotVector::clamped(2, &[z(2)], &Interval::new(z(0), z(4))?)?;
 /// let s = schoenberg(knots, |x: &Rational| Ok::<_, SplineError>([x * x].into()))??;
 /// assert_eq!(s.points(), [[z(0)], [z(1)], [z(9)], [z(16)]]);
 /// # Ok::<(), SplineError>(())

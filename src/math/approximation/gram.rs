@@ -85,16 +85,17 @@ pub fn bernstein_gram<C: Field>(n: usize, interval: &Interval<C>, r: usize) -> D
 ///
 /// ```
 /// use polarform::approximation::spline_gram;
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::KnotVector;
 /// // hat functions over 0, 1, 2
-/// let hats = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+/// let hats = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
 /// let mass = spline_gram(&hats, 0)?;
 /// assert_eq!(mass.row(1).iter().cloned().collect::<Vec<_>>(), [q(1, 6), q(2, 3), q(1, 6)]);
 /// # Ok::<(), polarform::spline::SplineError>(())
 /// ```
 pub fn spline_gram<C: Field>(knots: &KnotVector<C>, r: usize) -> Result<DMatrix<C>, SplineError> {
-    knots.domain()?;
+    knots.interval()?;
     let (m, n) = (knots.count(), knots.degree());
     budget::charge_terms((m as u64).saturating_mul(m as u64));
     let unit = unit_gram_of_derivatives(n, r).map(|q| C::from_rational(&q));
@@ -159,7 +160,7 @@ pub fn dual_bernstein(n: usize) -> DMatrix<Rational> {
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
 pub fn energy<C: Field>(curve: &BezierCurve<C>, r: usize) -> C {
-    let derived = curve.derivative(r);
+    let derived = curve.nth_derivative(r);
     (0..derived.dimension()).fold(C::zero(), |sum, k| {
         let coordinate: Vec<Vec<C>> = derived.points().iter().map(|point| vec![point[k].clone()]).collect();
         let function = BezierCurve::new(coordinate, derived.interval().clone()).expect("as many points");
@@ -172,9 +173,10 @@ pub fn energy<C: Field>(curve: &BezierCurve<C>, r: usize) -> C {
 ///
 /// ```
 /// use polarform::approximation::spline_energy;
+/// use polarform::interval::Interval;
 /// use polarform::number::integer as z;
 /// use polarform::spline::{BSpline, KnotVector};
-/// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(3))?;
+/// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(3))?)?;
 /// let s = BSpline::new(knots, [0, 2, 0].map(|y| vec![z(y)]).to_vec())?;
 /// assert_eq!(spline_energy(&s, 1), z(4 + 2));
 /// # Ok::<(), polarform::spline::SplineError>(())

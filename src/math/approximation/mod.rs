@@ -29,6 +29,7 @@ use std::fmt;
 
 use crate::math::curve::CurveError;
 use crate::math::interpolate::InterpolationError;
+use crate::math::interval::EmptyInterval;
 use crate::math::spline::SplineError;
 
 pub use fit::{Smoothing, averaged_knots, fitted_spline, interpolating_spline};
@@ -99,6 +100,12 @@ impl std::error::Error for ApproximationError {}
 impl From<SplineError> for ApproximationError {
     fn from(error: SplineError) -> Self {
         ApproximationError::Spline(error)
+    }
+}
+
+impl From<EmptyInterval> for ApproximationError {
+    fn from(empty: EmptyInterval) -> Self {
+        ApproximationError::Spline(empty.into())
     }
 }
 

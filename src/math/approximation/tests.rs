@@ -21,7 +21,7 @@ fn any_knots() -> impl Strategy<Value = KnotVector<Rational>> {
             at += q(step, 2);
             at.clone()
         });
-        KnotVector::new(n, knots.collect()).ok().filter(|knots| knots.domain().is_ok())
+        KnotVector::new(n, knots.collect()).ok().filter(|knots| knots.interval().is_ok())
     })
 }
 
@@ -32,8 +32,7 @@ fn by_powers(f: &Coefficients<Rational>, g: &Coefficients<Rational>, a: &Rationa
 }
 
 fn power(points: &[Rational], interval: &Interval<Rational>) -> Coefficients<Rational> {
-    let (a, b) = interval.ends();
-    Coefficients::new(PolarForm::from_bezier_points_over(points, a, b).unwrap().diagonal().into_vec())
+    Coefficients::new(PolarForm::from_bezier_points_over(points, interval).unwrap().diagonal().into_vec())
 }
 
 fn unit(n: usize, i: usize) -> Vec<Rational> {
@@ -72,7 +71,7 @@ proptest! {
     fn spline_gram_matrices_are_integrals(knots in any_knots(), r in 0usize..3) {
         let gram = spline_gram(&knots, r).unwrap();
         let functions = knots.basis_functions();
-        let (start, end) = knots.domain().unwrap();
+        let (start, end) = knots.interval().unwrap().ends();
         for (i, f) in functions.iter().enumerate() {
             for (j, g) in functions.iter().enumerate() {
                 let mut expected = z(0);
@@ -206,7 +205,7 @@ proptest! {
         knots in any_knots(), places in prop::collection::vec(0i64..24, 1..14),
         weights in prop::collection::vec(0i64..3, 14), penalty in prop::option::of((1i64..4, 0usize..3))
     ) {
-        let (a, b) = knots.domain().unwrap();
+        let (a, b) = knots.interval().unwrap().ends();
         let mut places = places;
         places.sort_unstable();
         let nodes: Vec<Rational> = places.iter().map(|&k| a + (b - a) * q(k, 23).min(z(1))).collect();
@@ -232,7 +231,7 @@ proptest! {
     /// Interpolation is possible exactly where the matrix of values is regular.
     #[test]
     fn the_condition_of_schoenberg_and_whitney(knots in any_knots(), places in prop::collection::vec(1i64..9, 12)) {
-        let (a, b) = knots.domain().unwrap();
+        let (a, b) = knots.interval().unwrap().ends();
         let m = knots.count();
         let total: i64 = places[..m].iter().sum();
         let mut sum = -places[0];
@@ -273,8 +272,8 @@ fn uniform_mass_matrices_are_values_of_a_spline() {
         // those in the middle have their support within the domain
         let i = n;
         for j in n..=2 * n {
-            if knots.support(j)[n + 1] <= *knots.domain().unwrap().1 && j + 1 > n {
-                let inside = knots.support(i)[0] >= *knots.domain().unwrap().0;
+            if knots.support(j)[n + 1] <= *knots.interval().unwrap().end() && j + 1 > n {
+                let inside = knots.support(i)[0] >= *knots.interval().unwrap().start();
                 if inside {
                     let value = big.value(&z((n + 1 + j - i) as i64)).unwrap();
                     assert_eq!(gram[(i, j)], value, "degree {n}, functions {i} and {j}");
@@ -290,7 +289,7 @@ fn schoenberg_splines_are_lines_for_lines() {
     let line = |x: &Rational| Ok::<_, ApproximationError>([z(2) * x - z(5)].into());
     let s = schoenberg(knots, line).unwrap().unwrap();
     for k in 0..=6 {
-        let (a, b) = s.domain();
+        let (a, b) = s.interval().ends();
         let t = a + (b - a) * q(k, 6);
         assert_eq!(s.value(&t).unwrap()[0], z(2) * &t - z(5));
     }
@@ -306,7 +305,7 @@ fn what_cannot_be_approximated() {
     assert_eq!(best_reduction(&c, 0, 0).unwrap().points(), [[q(8, 3)]]);
     let single = KnotVector::new(2, [0, 1, 2, 3].map(z).to_vec()).unwrap();
     assert!(spline_gram(&single, 0).is_err());
-    let knots = || KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
+    let knots = || KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2)).unwrap()).unwrap();
     let values: Vec<Point<Rational>> = (0..3).map(|k| [z(k)].into()).collect();
     let late = interpolating_spline(knots(), &[q(3, 2), q(7, 4), z(2)], &values);
     assert_eq!(late, Err(ApproximationError::SchoenbergWhitney { index: 0 }));

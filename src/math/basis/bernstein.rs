@@ -1,7 +1,7 @@
 //! Values of the Bernstein polynomials on [0, 1].
 
 use crate::budget;
-use crate::math::number::{Int, Rational, binomial, binomial_row};
+use crate::math::number::{Int, Rational, binomial, binomial_row, multinomial};
 use crate::math::ring::Ring;
 
 /// B_i^n(t) = C(n,i) t^i (1−t)^{n−i}; 0 when i > n. Cost: O(log n) products.
@@ -42,6 +42,18 @@ pub fn bernstein_all<C: Ring>(n: usize, t: &C) -> Vec<C> {
         .zip(weights)
         .map(|((left, right), weight)| weigh(weight, left.times(right)))
         .collect()
+}
+
+/// n!/(i! j! k! …) u^i v^j w^k …, the Bernstein polynomial over a simplex at barycentric coordinates, for indices that add up
+/// to n. Cost: O(log n) products for each index.
+///
+/// ```
+/// use polarform::{basis::bernstein_simplex, number::rational as q};
+/// assert_eq!(bernstein_simplex(&[1, 0, 1], &[q(1, 2), q(1, 3), q(1, 6)]), q(1, 6));
+/// ```
+pub fn bernstein_simplex<C: Ring>(indices: &[usize], at: &[C]) -> C {
+    let weight = C::from_rational(&Rational::from_integer(multinomial(indices)));
+    indices.iter().zip(at).fold(weight, |product, (&i, x)| product.times(&num_traits::pow(x.clone(), i)))
 }
 
 /// 1, x, …, x^n.

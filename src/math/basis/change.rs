@@ -18,6 +18,7 @@ use super::evaluate::reciprocal;
 use super::legendre::{legendre_to_power, power_to_legendre};
 use super::{Basis, BasisError, bernstein_to_power, power_to_bernstein};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::linalg::multiply;
 use crate::math::number::{Int, Rational, factorial};
 use crate::math::poly::Coefficients;
@@ -35,9 +36,10 @@ use crate::math::ring::Field;
 /// ```
 /// use nalgebra::DMatrix;
 /// use polarform::basis::{Basis, change_of_basis};
+/// use polarform::interval::Interval;
 /// use polarform::number::integer as z;
-/// let bezier = Basis::Bernstein { a: z(0), b: z(1) };
-/// let hermite = Basis::HermiteEndpoints { a: z(0), b: z(1) };
+/// let bezier = Basis::Bernstein(Interval::unit());
+/// let hermite = Basis::HermiteEndpoints(Interval::unit());
 /// // f(0) = b_0, f'(0) = 3 (b_1 − b_0), f(1) = b_3, f'(1) = 3 (b_3 − b_2)
 /// assert_eq!(change_of_basis(3, &bezier, &hermite), Ok(DMatrix::from_row_slice(4, 4, &[
 ///     z(1), z(0), z(0), z(0),
@@ -64,14 +66,15 @@ impl<F: Field> Basis<F> {
             return self.clone();
         }
         let moved = |x: &F| x.minus(by);
+        let shifted = |interval: &Interval<F>| interval.moved(&-by.clone());
         match self {
             Basis::Power => Basis::Taylor { at: -by.clone() },
             Basis::Taylor { at } => Basis::Taylor { at: moved(at) },
-            Basis::Bernstein { a, b } => Basis::Bernstein { a: moved(a), b: moved(b) },
-            Basis::Legendre { a, b } => Basis::Legendre { a: moved(a), b: moved(b) },
+            Basis::Bernstein(interval) => Basis::Bernstein(shifted(interval)),
+            Basis::Legendre(interval) => Basis::Legendre(shifted(interval)),
             Basis::Lagrange(nodes) => Basis::Lagrange(nodes.iter().map(moved).collect()),
             Basis::Newton(nodes) => Basis::Newton(nodes.iter().map(moved).collect()),
-            Basis::HermiteEndpoints { a, b } => Basis::HermiteEndpoints { a: moved(a), b: moved(b) },
+            Basis::HermiteEndpoints(interval) => Basis::HermiteEndpoints(shifted(interval)),
         }
     }
 }
@@ -87,20 +90,20 @@ fn local_polynomials<F: Field>(n: usize, basis: &Basis<F>) -> Local<F> {
     match basis {
         Basis::Power => Local { origin: F::zero(), columns: unit_columns(n) },
         Basis::Taylor { at } => Local { origin: at.clone(), columns: unit_columns(n) },
-        Basis::Bernstein { a, b } => {
+        Basis::Bernstein(interval) => {
             let matrix = bernstein_to_power(n);
-            let columns = stretched(&matrix, &vec![0; n + 1], &b.minus(a));
-            Local { origin: a.clone(), columns }
+            let columns = stretched(&matrix, &vec![0; n + 1], &interval.width());
+            Local { origin: interval.start().clone(), columns }
         }
-        Basis::Legendre { a, b } => {
-            let columns = stretched(&legendre_to_power(n), &vec![0; n + 1], &b.minus(a));
-            Local { origin: a.clone(), columns }
+        Basis::Legendre(interval) => {
+            let columns = stretched(&legendre_to_power(n), &vec![0; n + 1], &interval.width());
+            Local { origin: interval.start().clone(), columns }
         }
-        Basis::HermiteEndpoints { a, b } => {
+        Basis::HermiteEndpoints(interval) => {
             let matrix = multiply(&bernstein_to_power(n), &hermite_to_bernstein(n));
             let orders: Vec<usize> = (0..=n / 2).chain(0..=n / 2).collect();
-            let columns = stretched(&matrix.expect("both are (n+1)×(n+1)"), &orders, &b.minus(a));
-            Local { origin: a.clone(), columns }
+            let columns = stretched(&matrix.expect("both are (n+1)×(n+1)"), &orders, &interval.width());
+            Local { origin: interval.start().clone(), columns }
         }
         Basis::Newton(nodes) => {
             let origin = nodes.first().cloned().unwrap_or_else(F::zero);
@@ -213,15 +216,19 @@ impl<F: Field> Target<F> {
             Basis::Taylor { at } => Target::Newton(vec![at.clone(); n]),
             Basis::Newton(nodes) => Target::Newton(nodes.clone()),
             Basis::Lagrange(nodes) => Target::Lagrange(nodes.clone()),
-            Basis::Bernstein { a, b } => {
-                Target::Stretched(a.clone(), powers(n, &b.minus(a)), power_to_bernstein(n))
-            }
-            Basis::Legendre { a, b } => {
-                Target::Stretched(a.clone(), powers(n, &b.minus(a)), power_to_legendre(n))
-            }
-            Basis::HermiteEndpoints { a, b } => {
+            Basis::Bernstein(interval) => Target::Stretched(
+                interval.start().clone(),
+                powers(n, &interval.width()),
+                power_to_bernstein(n),
+            ),
+            Basis::Legendre(interval) => Target::Stretched(
+                interval.start().clone(),
+                powers(n, &interval.width()),
+                power_to_legendre(n),
+            ),
+            Basis::HermiteEndpoints(interval) => {
                 let factorials = (0..n.div_ceil(2)).map(|k| Rational::from_integer(factorial(k)));
-                Target::Hermite([a.clone(), b.clone()], factorials.collect())
+                Target::Hermite([interval.start().clone(), interval.end().clone()], factorials.collect())
             }
         }
     }

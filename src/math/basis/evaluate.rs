@@ -28,9 +28,10 @@ pub fn evaluate_basis<F: Field>(n: usize, basis: &Basis<F>, t: &F) -> Result<Vec
     Ok(match basis {
         Basis::Power => powers(n, t),
         Basis::Taylor { at } => powers(n, &t.minus(at)),
-        Basis::Bernstein { a, b } => bernstein_all(n, &t.minus(a).times(&reciprocal(&b.minus(a)))),
-        Basis::Legendre { a, b } => {
-            let x = t.plus(t).minus(a).minus(b).times(&reciprocal(&b.minus(a)));
+        Basis::Bernstein(interval) => bernstein_all(n, &interval.local(t)),
+        Basis::Legendre(interval) => {
+            let (a, b) = interval.ends();
+            let x = t.plus(t).minus(a).minus(b).times(interval.inverse_width());
             legendre_all(n, &x)
         }
         Basis::Newton(nodes) => {
@@ -42,7 +43,8 @@ pub fn evaluate_basis<F: Field>(n: usize, basis: &Basis<F>, t: &F) -> Result<Vec
             values
         }
         Basis::Lagrange(nodes) => lagrange(nodes, t),
-        Basis::HermiteEndpoints { a, b } => {
+        Basis::HermiteEndpoints(interval) => {
+            let (a, b) = interval.ends();
             let m = n.div_ceil(2);
             let mut values = hermite_half(m, a, b, t);
             values.extend(hermite_half(m, b, a, t));

@@ -29,9 +29,10 @@ mod matrices;
 
 use std::fmt;
 
+use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
-pub use bernstein::{bernstein, bernstein_all};
+pub use bernstein::{bernstein, bernstein_all, bernstein_simplex};
 pub use change::change_of_basis;
 pub use evaluate::evaluate_basis;
 pub use legendre::legendre_all;
@@ -40,7 +41,7 @@ pub use matrices::{bernstein_to_power, lowering, power_to_bernstein, raising};
 /// A basis φ_0, …, φ_n of the polynomials of degree at most n.
 ///
 /// What the basis is for a given n, and whether there is one, says [`Basis::validate`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub enum Basis<F> {
     /// φ_j = t^j.
     Power,
@@ -50,20 +51,10 @@ pub enum Basis<F> {
         at: F,
     },
     /// φ_j = B_j^n((t − a)/(b − a)); the coefficients are the Bézier ordinates over [a, b].
-    Bernstein {
-        /// The start of the interval.
-        a: F,
-        /// Its end, different from `a`.
-        b: F,
-    },
+    Bernstein(Interval<F>),
     /// φ_j = P_j((2t − a − b)/(b − a)), the Legendre polynomials of the interval [a, b]: orthogonal there, 1 at b.
     /// The Bézier ordinates of φ_j over [a, b] are (−1)^{i+j} C(j, i).
-    Legendre {
-        /// The start of the interval.
-        a: F,
-        /// Its end, different from `a`.
-        b: F,
-    },
+    Legendre(Interval<F>),
     /// φ_j = ∏_{k≠j} (t − x_k)/(x_j − x_k) for n+1 distinct nodes; the coefficients are the
     /// values f(x_j).
     Lagrange(Vec<F>),
@@ -74,19 +65,12 @@ pub enum Basis<F> {
     Newton(Vec<F>),
     /// The basis dual to f(a), f'(a), …, f^{(m−1)}(a), f(b), f'(b), …, f^{(m−1)}(b), in this
     /// order, where n + 1 = 2m. For n = 3 these are the cubic Hermite polynomials.
-    HermiteEndpoints {
-        /// The first end.
-        a: F,
-        /// The second end, different from `a`.
-        b: F,
-    },
+    HermiteEndpoints(Interval<F>),
 }
 
 /// Why there is no such basis, or no such matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BasisError {
-    /// The two ends of the interval are equal.
-    EqualEnds,
     /// Two nodes of a Lagrange basis are equal.
     EqualNodes {
         /// Index of the first of them.
@@ -118,7 +102,6 @@ pub enum BasisError {
 impl fmt::Display for BasisError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BasisError::EqualEnds => f.write_str("the two ends of the interval are equal"),
             BasisError::EqualNodes { first, second } => {
                 write!(f, "the nodes x_{first} and x_{second} are equal")
             }
@@ -142,12 +125,41 @@ impl fmt::Display for BasisError {
 
 impl std::error::Error for BasisError {}
 
+/// As queries name it: `power`, `[bernstein, a, b]`, `[lagrange, t_0, …]`; over [0, 1] `bernstein` and `hermite`.
+impl<F: Field + fmt::Display> fmt::Display for Basis<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let over =
+            |f: &mut fmt::Formatter<'_>, word: &str, interval: &Interval<F>, alone: bool| match interval
+                .ends()
+            {
+                (a, b) if alone && a.is_zero() && b.is_one() => f.write_str(word),
+                (a, b) => write!(f, "[{word}, {a}, {b}]"),
+            };
+        let at = |f: &mut fmt::Formatter<'_>, word: &str, nodes: &[F]| {
+            write!(f, "[{word}")?;
+            nodes.iter().try_for_each(|node| write!(f, ", {node}"))?;
+            f.write_str("]")
+        };
+        match self {
+            Basis::Power => f.write_str("power"),
+            Basis::Taylor { at } => write!(f, "[taylor, {at}]"),
+            Basis::Bernstein(interval) => over(f, "bernstein", interval, true),
+            Basis::Legendre(interval) => over(f, "legendre", interval, false),
+            Basis::HermiteEndpoints(interval) => over(f, "hermite", interval, true),
+            Basis::Lagrange(nodes) => at(f, "lagrange", nodes),
+            Basis::Newton(nodes) => at(f, "newton", nodes),
+        }
+    }
+}
+
+debug_by_text!(Basis);
+
 impl<F: Field> Basis<F> {
     /// Whether this is a basis of the polynomials of degree at most n. Cost: O(n²)
     /// comparisons for nodes, otherwise none to speak of.
     ///
     /// # Errors
-    /// The [`BasisError`] that says which nodes or ends are wrong.
+    /// The [`BasisError`] that says which nodes are wrong.
     ///
     /// ```
     /// use polarform::basis::{Basis, BasisError};
@@ -159,16 +171,9 @@ impl<F: Field> Basis<F> {
     pub fn validate(&self, n: usize) -> Result<(), BasisError> {
         match self {
             Basis::Power | Basis::Taylor { .. } => Ok(()),
-            Basis::Bernstein { a, b } | Basis::Legendre { a, b } | Basis::HermiteEndpoints { a, b }
-                if a == b =>
-            {
-                Err(BasisError::EqualEnds)
-            }
-            Basis::Bernstein { .. } | Basis::Legendre { .. } => Ok(()),
-            Basis::HermiteEndpoints { .. } if n.is_multiple_of(2) => {
-                Err(BasisError::EvenDegree { degree: n })
-            }
-            Basis::HermiteEndpoints { .. } => Ok(()),
+            Basis::Bernstein(_) | Basis::Legendre(_) => Ok(()),
+            Basis::HermiteEndpoints(_) if n.is_multiple_of(2) => Err(BasisError::EvenDegree { degree: n }),
+            Basis::HermiteEndpoints(_) => Ok(()),
             Basis::Newton(nodes) if nodes.len() == n => Ok(()),
             Basis::Newton(nodes) | Basis::Lagrange(nodes) if nodes.len().checked_sub(1) != Some(n) => {
                 Err(BasisError::NodeCount { degree: n, given: nodes.len() })

@@ -33,15 +33,15 @@ const MOST_ROWS: usize = 450;
 /// A polar form over Q prepared for many values.
 ///
 /// ```
-/// use polarform::blossom::{Evaluator, PolarForm};
+/// use polarform::blossom::{PreparedForm, PolarForm};
 /// use polarform::number::{integer, rational};
 /// // F(t) = t^2, f(u, v) = u v
 /// let f = PolarForm::new(vec![integer(0), integer(0), integer(1)]);
-/// let evaluator = Evaluator::new(&f);
+/// let evaluator = PreparedForm::new(&f);
 /// assert_eq!(evaluator.value(&[rational(1, 2), rational(2, 3)]), Ok(rational(1, 3)));
 /// ```
 #[derive(Clone, Debug)]
-pub struct Evaluator {
+pub struct PreparedForm {
     degree: usize,
     /// W_i as sign and words.
     weights: Vec<(Sign, Vec<u64>)>,
@@ -55,7 +55,7 @@ pub struct Evaluator {
 /// One factor q + p x of the generating product.
 type Factor = (i64, i64);
 
-impl Evaluator {
+impl PreparedForm {
     /// Prepares the integer weights. Cost: O(n) products and exact divisions of numbers of O(n) bits.
     pub fn new(form: &PolarForm<Rational>) -> Self {
         let n = form.degree();
@@ -73,7 +73,7 @@ impl Evaluator {
             })
             .collect();
         let (words, rest) = split_into_words(denominators * common);
-        Evaluator { degree: n, weights, weight_bits, words, rest, form: form.clone() }
+        PreparedForm { degree: n, weights, weight_bits, words, rest, form: form.clone() }
     }
 
     /// f at points, or at points and vectors, mixed.
@@ -374,7 +374,7 @@ mod tests {
             ))
         ) {
             let form = PolarForm::new(coefficients);
-            let fast = Evaluator::new(&form).value(&arguments).unwrap();
+            let fast = PreparedForm::new(&form).value(&arguments).unwrap();
             let slow = form.value_generic(&arguments).unwrap();
             assert_eq!(fast, slow);
             let reduced = Rational::new(fast.numer().clone(), fast.denom().clone());
@@ -414,14 +414,14 @@ mod tests {
         let n = 150;
         let form = PolarForm::new((0..=n).map(|i| rational(i * i - 40, i + 1)).collect());
         let points: Vec<Rational> = (0..n).map(|j| rational(7 * j - 300, 1 + j % 17)).collect();
-        let evaluator = Evaluator::new(&form);
+        let evaluator = PreparedForm::new(&form);
         let arguments: Vec<_> = points.iter().cloned().map(Argument::Point).collect();
         assert_eq!(evaluator.value(&points), form.value_generic(&arguments));
         assert_eq!(
             evaluator.value(&points[1..]),
             Err(PolarError::ArgumentCount { expected: 150, given: 149 })
         );
-        let zero = Evaluator::new(&PolarForm::new(vec![integer(0); 4]));
+        let zero = PreparedForm::new(&PolarForm::new(vec![integer(0); 4]));
         assert_eq!(zero.value(&[integer(1), integer(2), integer(3)]), Ok(integer(0)));
     }
 }

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use super::laws::Arrangement;
+use super::laws::ArgumentNames;
 use super::polar_form::PolarForm;
 use super::tensor::TensorPolarForm;
 use super::total_degree::TotalDegreePolarForm;
@@ -87,7 +87,7 @@ fn first_coordinates(group: &[Vec<Symbol>]) -> Vec<Symbol> {
 ///
 /// # Panics
 /// If the arrangement does not have one group with n arguments, or a coefficient is a proper quotient.
-pub fn expand_univariate<C: Written>(form: &PolarForm<C>, arrangement: &Arrangement) -> MultiPoly {
+pub fn expand_univariate<C: Written>(form: &PolarForm<C>, arrangement: &ArgumentNames) -> MultiPoly {
     let symbols = first_coordinates(&arrangement.groups()[0]);
     assert_eq!(symbols.len(), form.degree(), "one symbol for each argument");
     let weights = form.weights();
@@ -107,7 +107,7 @@ pub fn expand_univariate<C: Written>(form: &PolarForm<C>, arrangement: &Arrangem
 ///
 /// # Panics
 /// If the groups do not fit the degrees, or a coefficient is a proper quotient.
-pub fn expand_tensor<C: Written>(form: &TensorPolarForm<C>, arrangement: &Arrangement) -> MultiPoly {
+pub fn expand_tensor<C: Written>(form: &TensorPolarForm<C>, arrangement: &ArgumentNames) -> MultiPoly {
     let (m, n) = form.degrees();
     let u = first_coordinates(&arrangement.groups()[0]);
     let v = first_coordinates(&arrangement.groups()[1]);
@@ -115,7 +115,7 @@ pub fn expand_tensor<C: Written>(form: &TensorPolarForm<C>, arrangement: &Arrang
     let mut sum = MultiPoly::zero();
     for (i, row) in form.coefficients().into_iter().enumerate() {
         let along_v = PolarForm::new(row.to_vec());
-        let inner = expand_univariate(&along_v, &Arrangement::new(vec![arrangement.groups()[1].clone()]));
+        let inner = expand_univariate(&along_v, &ArgumentNames::new(vec![arrangement.groups()[1].clone()]));
         let share = Rational::new(Int::ONE, crate::math::number::binomial(m, i));
         sum += elementary(&u, i).times(&inner).scaled(&share);
     }
@@ -126,7 +126,7 @@ pub fn expand_tensor<C: Written>(form: &TensorPolarForm<C>, arrangement: &Arrang
 ///
 /// # Panics
 /// If the arrangement does not fit, or a coefficient is a proper quotient.
-pub fn expand_total<C: Written>(form: &TotalDegreePolarForm<C>, arrangement: &Arrangement) -> MultiPoly {
+pub fn expand_total<C: Written>(form: &TotalDegreePolarForm<C>, arrangement: &ArgumentNames) -> MultiPoly {
     let points = &arrangement.groups()[0];
     assert_eq!(points.len(), form.degree(), "one point for each argument");
     let mut sum = MultiPoly::zero();
@@ -149,7 +149,7 @@ pub fn expand_total<C: Written>(form: &TotalDegreePolarForm<C>, arrangement: &Ar
 
 /// The exponents of a monomial at each argument, sorted within each group: equal for monomials
 /// that exchanges of arguments carry into each other.
-pub(super) fn orbit_key(powers: &[(Symbol, u32)], arrangement: &Arrangement) -> Vec<Vec<Vec<u32>>> {
+pub(super) fn orbit_key(powers: &[(Symbol, u32)], arrangement: &ArgumentNames) -> Vec<Vec<Vec<u32>>> {
     let exponent = |symbol: &Symbol| powers.iter().find(|(s, _)| s == symbol).map_or(0, |(_, e)| *e);
     arrangement
         .groups()
@@ -169,14 +169,14 @@ pub(super) fn orbit_key(powers: &[(Symbol, u32)], arrangement: &Arrangement) -> 
 /// Cost: one term for every monomial of every orbit that occurs.
 ///
 /// ```
-/// use polarform::blossom::{laws::Arrangement, symmetrize};
+/// use polarform::blossom::{laws::ArgumentNames, symmetrize};
 /// use polarform::poly::{MultiPoly, Symbol};
 /// let t = |i| MultiPoly::symbol(Symbol::indexed("t", i));
-/// let arrangement = Arrangement::univariate(&Symbol::new("t"), 2);
+/// let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 2);
 /// let mean = symmetrize(&(t(1) + t(1)), &arrangement);
 /// assert_eq!(mean, t(1) + t(2));
 /// ```
-pub fn symmetrize(expression: &MultiPoly, arrangement: &Arrangement) -> MultiPoly {
+pub fn symmetrize(expression: &MultiPoly, arrangement: &ArgumentNames) -> MultiPoly {
     let inside = |symbol: &Symbol| arrangement.groups().iter().flatten().flatten().any(|s| s == symbol);
     // For each orbit the sum of the coefficients of its members.
     let mut orbits: BTreeMap<Vec<Vec<Vec<u32>>>, MultiPoly> = BTreeMap::new();
@@ -260,7 +260,7 @@ mod tests {
         let f = PolarForm::new([0, 2, 1].map(integer).to_vec());
         let g = PolarForm::new([1, 0, 0, 1].map(integer).to_vec());
         let pick = |from: i64, to: i64| {
-            Arrangement::new(vec![(from..=to).map(|i| vec![Symbol::indexed("t", i)]).collect()])
+            ArgumentNames::new(vec![(from..=to).map(|i| vec![Symbol::indexed("t", i)]).collect()])
         };
         let product = expand_univariate(&f, &pick(1, 2)).times(&expand_univariate(&g, &pick(3, 5)));
         let all = pick(1, 5);
@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn symmetrising_any_polynomial() {
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), 3);
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 3);
         let c = MultiPoly::symbol(Symbol::new("c"));
         let mean = symmetrize(&(t(1) * t(1) * c.clone()), &arrangement);
         let squares = t(1) * t(1) + t(2) * t(2) + t(3) * t(3);
@@ -285,7 +285,7 @@ mod tests {
 
     #[test]
     fn total_and_tensor_forms() {
-        let points = Arrangement::new(vec![
+        let points = ArgumentNames::new(vec![
             (1..=2).map(|i| vec![Symbol::indexed("u", i), Symbol::indexed("v", i)]).collect(),
         ]);
         let s = |base: &str, i| MultiPoly::symbol(Symbol::indexed(base, i));
@@ -298,7 +298,7 @@ mod tests {
         let tensor = TensorPolarForm::new(grid).unwrap();
         let expected = (s("u", 1) + s("u", 2)) * (s("v", 1) + s("v", 2));
         assert_eq!(
-            expand_tensor(&tensor, &Arrangement::new(groups.to_vec())),
+            expand_tensor(&tensor, &ArgumentNames::new(groups.to_vec())),
             expected.scaled(&rational(1, 4))
         );
     }

@@ -17,26 +17,26 @@ use num_traits::{One, Zero};
 /// How the arguments of a polar form are named and grouped: groups (one, or two for
 /// tensor-product forms) of arguments, each with its coordinates (one for a number).
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Arrangement {
+pub struct ArgumentNames {
     groups: Vec<Vec<Vec<Symbol>>>,
 }
 
-impl Arrangement {
+impl ArgumentNames {
     /// Groups of arguments of coordinates.
     pub fn new(groups: Vec<Vec<Vec<Symbol>>>) -> Self {
-        Arrangement { groups }
+        ArgumentNames { groups }
     }
 
     /// One group of numbers: t1, …, tn.
     ///
     /// ```
-    /// use polarform::blossom::laws::Arrangement;
+    /// use polarform::blossom::laws::ArgumentNames;
     /// use polarform::poly::Symbol;
-    /// let arrangement = Arrangement::univariate(&Symbol::new("t"), 3);
+    /// let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 3);
     /// assert_eq!(arrangement.groups()[0].len(), 3);
     /// ```
     pub fn univariate(base: &Symbol, count: usize) -> Self {
-        Arrangement::new(vec![(1..=count).map(|i| vec![base.numbered(i as i64)]).collect()])
+        ArgumentNames::new(vec![(1..=count).map(|i| vec![base.numbered(i as i64)]).collect()])
     }
 
     /// The groups.
@@ -222,10 +222,10 @@ fn describe_slip(slip: &Slip) -> String {
 /// Cost: linear in the number of terms times the number of arguments.
 ///
 /// ```
-/// use polarform::blossom::laws::{Arrangement, check};
+/// use polarform::blossom::laws::{ArgumentNames, check};
 /// use polarform::poly::{MultiPoly, Symbol};
 /// let t = |i| MultiPoly::symbol(Symbol::indexed("t", i));
-/// let arrangement = Arrangement::univariate(&Symbol::new("t"), 2);
+/// let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 2);
 /// let right = t(1) * t(2);
 /// let report = check(&(t(1) * t(1)), &right, &arrangement);
 /// assert_eq!(report.not_affine.unwrap().degree, 2);
@@ -233,7 +233,7 @@ fn describe_slip(slip: &Slip) -> String {
 /// assert!(report.diagonal.is_none()); // t^2 either way
 /// assert!(check(&right, &right, &arrangement).holds());
 /// ```
-pub fn check(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) -> Report {
+pub fn check(claim: &MultiPoly, right: &MultiPoly, arrangement: &ArgumentNames) -> Report {
     let comparisons = compare(claim, right, arrangement);
     Report {
         asymmetry: asymmetry(claim, arrangement),
@@ -246,7 +246,7 @@ pub fn check(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) ->
 
 /// The first exchange of two neighbouring arguments that changes the expression. Exchanges of
 /// neighbours generate all permutations.
-pub fn asymmetry(claim: &MultiPoly, arrangement: &Arrangement) -> Option<Asymmetry> {
+pub fn asymmetry(claim: &MultiPoly, arrangement: &ArgumentNames) -> Option<Asymmetry> {
     for group in &arrangement.groups {
         for pair in group.windows(2) {
             let swapped = claim.rename(&|symbol: &Symbol| {
@@ -269,7 +269,7 @@ pub fn asymmetry(claim: &MultiPoly, arrangement: &Arrangement) -> Option<Asymmet
 }
 
 /// The first argument in which the expression has a degree above 1 (in all coordinates together).
-pub fn not_affine(claim: &MultiPoly, arrangement: &Arrangement) -> Option<NotAffine> {
+pub fn not_affine(claim: &MultiPoly, arrangement: &ArgumentNames) -> Option<NotAffine> {
     let terms = claim.terms(MonomialOrder::Lex);
     arrangement.arguments().find_map(|argument| {
         let degree = terms
@@ -284,7 +284,11 @@ pub fn not_affine(claim: &MultiPoly, arrangement: &Arrangement) -> Option<NotAff
 }
 
 /// Diagonal of the claim minus diagonal of the right form, if not zero.
-fn diagonal_difference(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) -> Option<MultiPoly> {
+fn diagonal_difference(
+    claim: &MultiPoly,
+    right: &MultiPoly,
+    arrangement: &ArgumentNames,
+) -> Option<MultiPoly> {
     let difference = claim.minus(right).rename(&|symbol: &Symbol| {
         for group in &arrangement.groups {
             for argument in group {
@@ -301,7 +305,7 @@ fn diagonal_difference(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arran
 /// Powers of the arguments, and the coefficient in the other symbols.
 type Class = Vec<Vec<Vec<u32>>>;
 
-fn classes(p: &MultiPoly, arrangement: &Arrangement) -> BTreeMap<Class, Vec<(MultiPoly, MultiPoly)>> {
+fn classes(p: &MultiPoly, arrangement: &ArgumentNames) -> BTreeMap<Class, Vec<(MultiPoly, MultiPoly)>> {
     let mut by_monomial: BTreeMap<Vec<(Symbol, u32)>, MultiPoly> = BTreeMap::new();
     for (powers, c) in p.terms(MonomialOrder::Lex) {
         let (inside, outside): (Vec<_>, Vec<_>) =
@@ -318,7 +322,7 @@ fn classes(p: &MultiPoly, arrangement: &Arrangement) -> BTreeMap<Class, Vec<(Mul
     result
 }
 
-fn compare(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) -> Vec<Comparison> {
+fn compare(claim: &MultiPoly, right: &MultiPoly, arrangement: &ArgumentNames) -> Vec<Comparison> {
     let (claimed, correct) = (classes(claim, arrangement), classes(right, arrangement));
     let mut keys: Vec<&Class> = claimed.keys().chain(correct.keys()).collect();
     keys.sort();
@@ -349,7 +353,7 @@ fn compare(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) -> V
 fn slips(
     claim: &MultiPoly,
     right: &MultiPoly,
-    arrangement: &Arrangement,
+    arrangement: &ArgumentNames,
     comparisons: &[Comparison],
 ) -> Vec<Slip> {
     let wrong: Vec<&Comparison> = comparisons.iter().filter(|c| !c.agrees()).collect();
@@ -400,7 +404,7 @@ fn ratio(comparison: &Comparison) -> Option<Rational> {
 
 /// A symbol outside the arguments which, replaced by another one everywhere it is too much,
 /// makes the claim right: c_1 written for c_2.
-fn sibling(claim: &MultiPoly, right: &MultiPoly, arrangement: &Arrangement) -> Option<Slip> {
+fn sibling(claim: &MultiPoly, right: &MultiPoly, arrangement: &ArgumentNames) -> Option<Slip> {
     let outside = |p: &MultiPoly| -> Vec<Symbol> {
         let inside = |symbol: &Symbol| arrangement.arguments().any(|a| a.contains(symbol));
         p.variables().iter().filter(|symbol| !inside(symbol)).cloned().collect()
@@ -436,9 +440,9 @@ mod tests {
         p.scaled(&rational(n, d))
     }
 
-    fn cubic() -> (MultiPoly, Arrangement) {
+    fn cubic() -> (MultiPoly, ArgumentNames) {
         let form = PolarForm::new([1, 5, 3, 1].map(integer).to_vec());
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), 3);
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 3);
         (expand_univariate(&form, &arrangement), arrangement)
     }
 
@@ -465,7 +469,7 @@ mod tests {
     #[test]
     fn siblings() {
         let c = |i| MultiPoly::symbol(Symbol::indexed("c", i));
-        let arrangement = Arrangement::univariate(&Symbol::new("t"), 2);
+        let arrangement = ArgumentNames::univariate(&Symbol::new("t"), 2);
         let pairs = t(1) * t(2);
         let ends = scale(t(1) + t(2), 1, 2);
         let right = c(0) + c(1) * ends.clone() + c(2) * pairs.clone();
@@ -493,7 +497,7 @@ mod tests {
     fn points_are_not_numbers() {
         // The tensor-product form of u v is not affine in the points.
         let s = |base: &str, i| MultiPoly::symbol(Symbol::indexed(base, i));
-        let arrangement = Arrangement::new(vec![
+        let arrangement = ArgumentNames::new(vec![
             (1..=2).map(|i| vec![Symbol::indexed("u", i), Symbol::indexed("v", i)]).collect(),
         ]);
         let right = scale(s("u", 1) * s("v", 2) + s("u", 2) * s("v", 1), 1, 2);

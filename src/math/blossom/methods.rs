@@ -12,6 +12,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::polar_form::PolarForm;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, binomial, binomial_row, factorial};
 use crate::math::poly::Coefficients;
 use crate::math::ring::Ring;
@@ -150,7 +151,7 @@ pub enum Step<C> {
 
 /// A polar form with the way it was found.
 #[derive(Clone, PartialEq)]
-pub struct Derivation<C> {
+pub struct Worked<C> {
     /// The method.
     pub method: Method,
     /// Its steps, in order.
@@ -173,7 +174,7 @@ impl<C: Ring> PolarForm<C> {
     ///     assert_eq!(f.derive(method, &integer(7)).form, f);
     /// }
     /// ```
-    pub fn derive(&self, method: Method, tau: &C) -> Derivation<C> {
+    pub fn derive(&self, method: Method, tau: &C) -> Worked<C> {
         let c = self.coefficients();
         let (weights, steps) = match method {
             Method::Elementary => elementary(c),
@@ -186,7 +187,7 @@ impl<C: Ring> PolarForm<C> {
         let row = binomial_row(self.degree());
         let coefficients =
             weights.iter().zip(row).map(|(w, b)| w.scaled(&Rational::from_integer(b))).collect();
-        Derivation { method, steps, form: PolarForm::new(coefficients) }
+        Worked { method, steps, form: PolarForm::new(coefficients) }
     }
 }
 
@@ -353,7 +354,7 @@ fn laguerre<C: Ring>(c: &[C]) -> Outcome<C> {
 
 fn bezier<C: Ring>(c: &[C]) -> Outcome<C> {
     let n = c.len() - 1;
-    let points = PolarForm::new(c.to_vec()).bezier_points(&C::zero(), &C::one());
+    let points = PolarForm::new(c.to_vec()).bezier_points(&Interval::unit());
     let mut weights = vec![C::zero(); n + 1];
     let mut steps = Vec::with_capacity(n + 1);
     for (i, point) in points.into_iter().enumerate() {

@@ -13,9 +13,9 @@ mod tensor;
 mod total_degree;
 
 pub use chebyshev::{Osculation, chebyshev_point};
-pub use evaluator::Evaluator;
+pub use evaluator::PreparedForm;
 pub use expand::{Written, expand_tensor, expand_total, expand_univariate, symmetrize};
-pub use methods::{Derivation, Method, Step, Weights};
+pub use methods::{Method, Step, Weights, Worked};
 pub use multirational::{MultirationalError, multirational, rational_antiderivative};
 pub use polar_form::{Argument, PolarError, PolarForm};
 pub use shifted::{apolar_product, h_blossom, homogeneous_value, moebius, q_blossom};

@@ -95,6 +95,7 @@ impl<C: Ring> PolarForm<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::interval::Interval;
     use crate::math::number::{Int, integer, rational};
     use proptest::prelude::*;
 
@@ -137,13 +138,13 @@ mod tests {
         fn bezier_points_and_back(f in any_form(6), a in -5i64..5, w in 1i64..6) {
             let (a, b) = (integer(a), rational(2 * a + w, 2));
             if a == b { return Ok(()); }
-            let points = f.bezier_points(&a, &b);
+            let points = f.bezier_points(&Interval::new(a.clone(), b.clone()).unwrap());
             for (i, point) in points.iter().enumerate() {
                 let mut arguments = vec![a.clone(); f.degree() - i];
                 arguments.extend(vec![b.clone(); i]);
                 assert_eq!(f.value(&arguments).as_ref(), Ok(point));
             }
-            assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b), Ok(f));
+            assert_eq!(PolarForm::from_bezier_points_over(&points, &Interval::new(a.clone(), b.clone()).unwrap()), Ok(f));
         }
 
         #[test]
@@ -153,7 +154,7 @@ mod tests {
             for _ in 0..k {
                 list = list.iter().enumerate().skip(1).map(|(i, c)| c * integer(i as i64)).collect();
             }
-            let derivative = f.derivative(k);
+            let derivative = f.nth_derivative(k);
             let expected = list.iter().rev().fold(integer(0), |s, c| s * integer(t) + c);
             let value = derivative.value(&vec![integer(t); derivative.degree()]);
             assert_eq!(value, Ok(expected));

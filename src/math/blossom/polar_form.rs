@@ -16,7 +16,8 @@
 use std::any::Any;
 use std::fmt;
 
-use super::evaluator::Evaluator;
+use super::evaluator::PreparedForm;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, binomials_where};
 use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
@@ -99,8 +100,6 @@ pub enum PolarError {
         /// The degree asked for.
         asked: usize,
     },
-    /// An interval whose ends coincide.
-    EmptyInterval,
     /// Operands of different degrees where equal ones are needed.
     DegreeMismatch {
         /// Degree of the first.
@@ -128,7 +127,6 @@ impl fmt::Display for PolarError {
             PolarError::NotReducible { power, asked } => {
                 write!(f, "the coefficient of t^{power} is not 0, so the degree cannot be reduced to {asked}")
             }
-            PolarError::EmptyInterval => f.write_str("the ends of the interval coincide"),
             PolarError::DegreeMismatch { left, right } => {
                 write!(f, "the degrees {left} and {right} differ; elevate the lower one first")
             }
@@ -202,7 +200,7 @@ impl<C: Ring> PolarForm<C> {
     /// f at points, or at points and vectors, mixed.
     ///
     /// Cost: O(n²) ring operations; over Q word operations on integers with one reduction
-    /// at the end (prepare an [`Evaluator`] for many values of one form).
+    /// at the end (prepare an [`PreparedForm`] for many values of one form).
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] unless exactly n arguments are given.
@@ -214,7 +212,7 @@ impl<C: Ring> PolarForm<C> {
             && let Some(form) = form.downcast_ref::<PolarForm<Rational>>()
             && let Some(list) = rational_arguments(&arguments)
         {
-            let value: Box<dyn Any> = Box::new(Evaluator::new(form).value(&list)?);
+            let value: Box<dyn Any> = Box::new(PreparedForm::new(form).value(&list)?);
             if let Ok(value) = value.downcast::<C>() {
                 return Ok(*value);
             }
@@ -273,11 +271,16 @@ impl<C: Ring> PolarForm<C> {
         Ok(PolarForm::from_weights(self.partial_weights(arguments)))
     }
 
+    /// The polar form of the derivative, see [`PolarForm::nth_derivative`].
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// The polar form of the k-th derivative, of degree n − k (degree 0 and zero when k > n):
     /// n!/(n−k)! f(t_1, …, t_{n−k}, 1̂, …, 1̂).
     ///
     /// Cost: O(k n).
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let n = self.degree();
         if k > n {
             return PolarForm::new(vec![C::zero()]);
@@ -310,19 +313,20 @@ impl<C: Ring> PolarForm<C> {
         }
     }
 
-    /// The Bézier points over [a, b]: b_i = f(a, …, a, b, …, b) with i times b.
+    /// The Bézier points over an interval [a, b]: b_i = f(a, …, a, b, …, b) with i times b.
     ///
     /// Cost: O(n²) ring operations.
     ///
     /// ```
     /// use polarform::blossom::PolarForm;
-    /// use polarform::number::{integer, rational};
+    /// use polarform::interval::Interval;
+    /// use polarform::number::integer;
     /// let f = PolarForm::new([0, 0, 1].map(integer).to_vec()); // t^2
-    /// assert_eq!(f.bezier_points(&integer(0), &integer(1)), [0, 0, 1].map(integer));
+    /// assert_eq!(f.bezier_points(&Interval::unit()), [0, 0, 1].map(integer));
     /// ```
-    pub fn bezier_points(&self, a: &C, b: &C) -> Vec<C> {
+    pub fn bezier_points(&self, interval: &Interval<C>) -> Vec<C> {
         // F(a + (b − a) s) = Σ d_i s^i has the polar values b_i = Σ_j C(i,j)/C(n,j) d_j over [0, 1].
-        let local = self.reparameterize(a, &b.minus(a));
+        let local = self.reparameterize(interval.start(), &interval.width());
         // Repeated sums turn the weights w_j into Σ_j C(i, j) w_j.
         running(local.weights(), Running::Sums)
     }
@@ -431,13 +435,13 @@ fn rational_arguments<C: Ring>(arguments: &[Argument<C>]) -> Option<Vec<Argument
 }
 
 impl<C: Field> PolarForm<C> {
-    /// The polar form with Bézier points b_0, …, b_n over [a, b].
+    /// The polar form with Bézier points b_0, …, b_n over an interval.
     ///
     /// # Errors
-    /// [`PolarError::EmptyInterval`] if a = b, [`PolarError::NoCoefficients`] for an empty list.
-    pub fn from_bezier_points_over(points: &[C], a: &C, b: &C) -> Result<Self, PolarError> {
-        let inverse = b.minus(a).inverse().ok_or(PolarError::EmptyInterval)?;
-        let origin = -a.times(&inverse);
-        Ok(PolarForm::from_bezier_points(points)?.reparameterize(&origin, &inverse))
+    /// [`PolarError::NoCoefficients`] for an empty list.
+    pub fn from_bezier_points_over(points: &[C], interval: &Interval<C>) -> Result<Self, PolarError> {
+        let inverse = interval.inverse_width();
+        let origin = -interval.start().times(inverse);
+        Ok(PolarForm::from_bezier_points(points)?.reparameterize(&origin, inverse))
     }
 }

@@ -11,6 +11,7 @@
 //! Reference: Ramshaw (1989), section 10; Farin, *Curves and Surfaces for CAGD*, ch. 14.
 
 use super::polar_form::{Argument, PolarError, PolarForm};
+use crate::math::interval::Interval;
 use crate::math::ring::Ring;
 
 /// The polar form of a polynomial in two variables, each with its own degree.
@@ -106,7 +107,7 @@ impl<C: Ring> TensorPolarForm<C> {
     /// # Errors
     /// None in fact: orders above the degree give the zero form.
     pub fn derivative(&self, r: usize, s: usize) -> Result<Self, PolarError> {
-        self.in_v(|row| Ok(row.derivative(s)))?.in_u(|column| Ok(column.derivative(r)))
+        self.in_v(|row| Ok(row.nth_derivative(s)))?.in_u(|column| Ok(column.nth_derivative(r)))
     }
 
     /// The same polynomial with more arguments in each group.
@@ -122,12 +123,12 @@ impl<C: Ring> TensorPolarForm<C> {
         self.in_v(|row| row.reduce(by_v))?.in_u(|column| column.reduce(by_u))
     }
 
-    /// The control net over [a, b] × [c, d]: entry (i, j) is f(a^{m−i}, b^i; c^{n−j}, d^j).
-    pub fn bezier_net(&self, (a, b): (&C, &C), (c, d): (&C, &C)) -> Vec<Vec<C>> {
-        let rows = self.rows.iter().map(|row| PolarForm::new(row.bezier_points(c, d)));
+    /// The control net over u in [a, b] and v in [c, d]: entry (i, j) is f(a^{m−i}, b^i; c^{n−j}, d^j).
+    pub fn bezier_net(&self, u: &Interval<C>, v: &Interval<C>) -> Vec<Vec<C>> {
+        let rows = self.rows.iter().map(|row| PolarForm::new(row.bezier_points(v)));
         let along_v = TensorPolarForm { rows: rows.collect() };
         let columns =
-            along_v.transposed().rows.into_iter().map(|column| PolarForm::new(column.bezier_points(a, b)));
+            along_v.transposed().rows.into_iter().map(|column| PolarForm::new(column.bezier_points(u)));
         let net = TensorPolarForm { rows: columns.collect() }.transposed();
         net.rows.iter().map(|row| row.coefficients().to_vec()).collect()
     }
@@ -166,7 +167,7 @@ mod tests {
             let u: Vec<_> = (0..m as i64).map(|k| rational(seed + 3 * k, 2)).collect();
             let v: Vec<_> = (0..n as i64).map(|k| rational(5 * k - seed, 3)).collect();
             assert_eq!(f.value(&u, &v), f.transposed().value(&v, &u));
-            let net = f.bezier_net((&integer(0), &integer(1)), (&integer(0), &integer(1)));
+            let net = f.bezier_net(&Interval::unit(), &Interval::unit());
             for (i, row) in net.iter().enumerate() {
                 for (j, point) in row.iter().enumerate() {
                     let ends = |n: usize, i: usize| -> Vec<Rational> {

@@ -36,7 +36,7 @@ type Exponents = Vec<u32>;
 /// assert_eq!(value, Ok(integer(5))); // (1·4 + 3·2)/2
 /// ```
 #[doc(alias = "triangular")]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TotalDegreePolarForm<C> {
     dimension: usize,
     degree: usize,
@@ -198,12 +198,12 @@ impl<C: Ring> TotalDegreePolarForm<C> {
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] for a direction with a wrong number of coordinates.
-    pub fn derivative(&self, directions: &[Vec<C>]) -> Result<Self, PolarError> {
+    pub fn derivative<V: Clone + Into<Vec<C>>>(&self, directions: &[V]) -> Result<Self, PolarError> {
         let k = directions.len();
         if k > self.degree {
             return TotalDegreePolarForm::new(self.dimension, 0, []);
         }
-        let vectors: Vec<_> = directions.iter().cloned().map(Argument::Vector).collect();
+        let vectors: Vec<_> = directions.iter().cloned().map(|v| Argument::Vector(v.into())).collect();
         let mut form = self.partial(&vectors)?;
         let factor: Int = (self.degree - k + 1..=self.degree).map(Int::from).product();
         let factor = Rational::from_integer(factor);

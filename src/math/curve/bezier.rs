@@ -12,7 +12,7 @@ use crate::budget;
 use crate::math::basis::raising;
 use crate::math::blossom::{Argument, PolarForm};
 use crate::math::number::{Int, Rational, binomial, binomial_row};
-use crate::math::piecewise::compare;
+use crate::math::ring::compare;
 use crate::math::ring::{Field, Ring};
 
 /// A polynomial curve by its control points over an interval.
@@ -26,13 +26,15 @@ pub struct BezierCurve<C> {
 
 /// All intermediate points of de Casteljau's or de Boor's algorithm: `levels[r][i]`, level 0 the
 /// control points, the last level a single point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Tableau<C> {
     /// The points by levels.
     pub levels: Vec<Vec<Point<C>>>,
     /// Their polar labels: the arguments of the polar form.
     pub labels: Vec<Vec<Vec<C>>>,
 }
+
+debug_by_fields!(Tableau: levels, labels);
 
 impl<C> Tableau<C> {
     /// The single point of the last level.
@@ -74,11 +76,10 @@ impl<C: Field> BezierCurve<C> {
     /// # Errors
     /// [`CurveError::TooFewPoints`] without coordinates.
     pub fn from_polar_forms(forms: &[PolarForm<C>], interval: Interval<C>) -> Result<Self, CurveError> {
-        let (a, b) = interval.ends();
         let degree = forms.iter().map(PolarForm::degree).max();
         let degree = degree.ok_or(CurveError::TooFewPoints { needed: 1, given: 0 })?;
         let columns: Vec<Vec<C>> =
-            forms.iter().map(|form| form.elevate(degree - form.degree()).bezier_points(a, b)).collect();
+            forms.iter().map(|form| form.elevate(degree - form.degree()).bezier_points(&interval)).collect();
         let point = |i: usize| columns.iter().map(|column| column[i].clone()).collect();
         let points: Vec<Point<C>> = (0..=degree).map(point).collect();
         BezierCurve::new(points, interval)
@@ -258,12 +259,9 @@ impl<C: Field> BezierCurve<C> {
         Ok(parts)
     }
 
-    /// The same polynomial over [r, s]: control points f(r^{n−i}, s^i).
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if r = s.
-    pub fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
-        let interval = Interval::new(r.clone(), s.clone())?;
+    /// The same polynomial over another interval [r, s]: control points f(r^{n−i}, s^i).
+    pub fn part(&self, interval: Interval<C>) -> Self {
+        let (r, s) = interval.ends();
         let n = self.degree();
         let mut points = Vec::with_capacity(n + 1);
         // Level i of the tableau for r is f(r^i, …); finish each with s.
@@ -281,7 +279,7 @@ impl<C: Field> BezierCurve<C> {
             }
             points.push(level.remove(0));
         }
-        BezierCurve::new(points, interval)
+        BezierCurve { points, interval }
     }
 
     /// The same control points over another interval [c, d]: the curve F((t−c)/(d−c) (b−a) + a).
@@ -348,9 +346,14 @@ impl<C: Field> BezierCurve<C> {
         level
     }
 
+    /// F', of degree n − 1 or 0, see [`BezierCurve::nth_derivative`].
+    pub fn derivative(&self) -> Self {
+        self.nth_derivative(1)
+    }
+
     /// F^{(k)}, of degree n − k: n!/(n−k)! Δ^k b_i / (b−a)^k; zero if k > n. Its control points are
     /// these vectors drawn from the origin (the hodograph).
-    pub fn derivative(&self, k: usize) -> Self {
+    pub fn nth_derivative(&self, k: usize) -> Self {
         let n = self.degree();
         let interval = self.interval.clone();
         if k > n {
@@ -395,11 +398,10 @@ impl<C: Field> BezierCurve<C> {
 
     /// The polar form of each coordinate.
     pub fn polar_forms(&self) -> Vec<PolarForm<C>> {
-        let (a, b) = self.interval.ends();
         (0..self.dimension())
             .map(|k| {
                 let column: Vec<C> = self.points.iter().map(|point| point[k].clone()).collect();
-                PolarForm::from_bezier_points_over(&column, a, b).expect("the ends differ")
+                PolarForm::from_bezier_points_over(&column, &self.interval).expect("there are points")
             })
             .collect()
     }

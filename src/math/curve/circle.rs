@@ -90,7 +90,7 @@ fn check_plane<C: Field>(points: &[Point<C>]) -> Result<(), CurveError> {
 /// assert_eq!(arc.standard()?.weights(), [z(1), q(4, 5), z(1)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct CircleArc<C> {
     centre: Point<C>,
     /// The first end, from the centre.
@@ -100,6 +100,8 @@ pub struct CircleArc<C> {
     /// Whether it goes the long way round, or clockwise over half the circle.
     long: bool,
 }
+
+debug_by_fields!(CircleArc: centre, arm, turn, long);
 
 impl<C: Field> CircleArc<C> {
     /// The shorter arc between two points of a circle; over half of the circle the one that goes

@@ -20,8 +20,8 @@ use super::rational::RationalCurve;
 use super::{CurveError, Interval, Point, polygon};
 use crate::math::linalg;
 use crate::math::number::integer;
-use crate::math::piecewise::compare;
 use crate::math::ring::Field;
+use crate::math::ring::compare;
 
 /// What a rational quadratic curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

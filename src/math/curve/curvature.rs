@@ -105,7 +105,7 @@ mod tests {
 
     fn derivatives(points: Vec<Vec<Rational>>, t: &Rational) -> Vec<Vec<Rational>> {
         let curve = BezierCurve::new(points, Interval::unit()).unwrap();
-        (1..=3).map(|k| curve.derivative(k).value(t).into()).collect()
+        (1..=3).map(|k| curve.nth_derivative(k).value(t).into()).collect()
     }
 
     proptest! {

@@ -11,88 +11,17 @@
 
 use super::{CurveError, Point, dimension};
 use crate::math::blossom::{Argument, PointArgument};
+use crate::math::interval::{Interval, not_negative};
 use crate::math::number::Rational;
-use crate::math::piecewise::compare;
 use crate::math::ring::{Field, Ring};
 
-/// An interval with two different ends, in either order.
-///
-/// ```
-/// use polarform::curve::{CurveError, Interval};
-/// use polarform::number::{integer as z, rational as q};
-/// let interval = Interval::new(z(1), z(5))?;
-/// assert_eq!(interval.local(&z(2)), q(1, 4));
-/// assert_eq!(Interval::new(z(1), z(1)), Err(CurveError::EmptyInterval));
-/// # Ok::<(), CurveError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Interval<C> {
-    a: C,
-    b: C,
-    /// 1 / (b − a)
-    inverse: C,
-}
-
 impl<C: Field> Interval<C> {
-    /// The interval [a, b].
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if a = b.
-    pub fn new(a: C, b: C) -> Result<Self, CurveError> {
-        let inverse = b.minus(&a).inverse().ok_or(CurveError::EmptyInterval)?;
-        Ok(Interval { a, b, inverse })
-    }
-
-    /// [0, 1]
-    pub fn unit() -> Self {
-        Interval { a: C::zero(), b: C::one(), inverse: C::one() }
-    }
-
-    /// The first end, a.
-    pub fn start(&self) -> &C {
-        &self.a
-    }
-
-    /// The second end, b.
-    pub fn end(&self) -> &C {
-        &self.b
-    }
-
-    /// a and b.
-    pub fn ends(&self) -> (&C, &C) {
-        (&self.a, &self.b)
-    }
-
-    /// 1 / (b − a)
-    pub fn inverse_width(&self) -> &C {
-        &self.inverse
-    }
-
-    /// (u − a)/(b − a)
-    pub fn local(&self, u: &C) -> C {
-        u.minus(&self.a).times(&self.inverse)
-    }
-
-    /// Whether a parameter lies between the ends; `None` if that depends on symbols.
-    pub fn contains(&self, u: &C) -> Option<bool> {
-        let s = self.local(u);
-        Some(not_negative(&s)? && not_negative(&C::one().minus(&s))?)
-    }
-
-    /// [a, t] and [t, b].
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if t is an end.
-    pub fn split(&self, t: &C) -> Result<(Self, Self), CurveError> {
-        Ok((Interval::new(self.a.clone(), t.clone())?, Interval::new(t.clone(), self.b.clone())?))
-    }
-
     /// The coordinates (1 − s, s) of a point, (−s, s) of a vector.
     pub(super) fn coordinates(&self, argument: &Argument<C>) -> [C; 2] {
         match argument {
             Argument::Point(u) => self.point_coordinates(u),
             Argument::Vector(v) => {
-                let s = v.times(&self.inverse);
+                let s = v.times(self.inverse_width());
                 [-s.clone(), s]
             }
         }
@@ -128,9 +57,9 @@ pub enum Corner {
 /// assert_eq!(flat, Err(CurveError::Degenerate));
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Triangle<C> {
-    corners: [Point<C>; 3],
+    pub(super) corners: [Point<C>; 3],
     /// det(b − a, c − a), twice the signed area.
     determinant: C,
     inverse: C,
@@ -224,11 +153,6 @@ impl<C: Field> Triangle<C> {
     }
 }
 
-/// Whether x ≥ 0, if x is a number.
-fn not_negative<C: Ring>(x: &C) -> Option<bool> {
-    compare(x, &C::zero()).map(std::cmp::Ordering::is_ge)
-}
-
 fn plane(size: usize) -> Result<(), CurveError> {
     if size == 2 { Ok(()) } else { Err(CurveError::DimensionsOf { left: 2, right: size }) }
 }
@@ -270,11 +194,5 @@ mod tests {
         let corners = [vec![z(0)], vec![z(1)], vec![z(2)]];
         assert_eq!(Triangle::new(corners), Err(CurveError::DimensionsOf { left: 2, right: 1 }));
         assert!(Triangle::<Rational>::unit().barycentric(&[z(1)]).is_err());
-        assert!(Interval::<Rational>::unit().split(&z(1)).is_err());
-        let backwards = Interval::new(z(3), z(1)).unwrap();
-        assert_eq!(
-            [0, 1, 2, 3, 4].map(|u| backwards.contains(&z(u)) == Some(true)),
-            [false, true, true, true, false]
-        );
     }
 }

@@ -21,7 +21,7 @@ use crate::math::blossom::Argument;
 use crate::math::ring::Field;
 
 /// One condition: a control point of the second patch must be a polar value of the first.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct EdgeEquation<C> {
     /// r, how many arguments lie off the edge: the condition belongs to C^r.
     pub order: usize,
@@ -32,6 +32,8 @@ pub struct EdgeEquation<C> {
     /// The control point of the second patch.
     pub found: Point<C>,
 }
+
+debug_by_fields!(EdgeEquation: order, place, required, found);
 
 impl<C: PartialEq> EdgeEquation<C> {
     /// Whether the two sides are equal.
@@ -152,8 +154,7 @@ impl<C: Field> TrianglePatch<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::curve::domain::Interval;
-    use crate::math::curve::{Vector, patch, triangle};
+    use crate::math::curve::{Interval, Vector, patch, triangle};
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
     use proptest::prelude::*;
@@ -212,7 +213,7 @@ mod tests {
             let weights = [-&s, t.clone(), z(1) + &s - &t];
             let d = patch.triangle().point(&weights);
             let other = Triangle::new([corners[2].clone(), d, corners[1].clone()]).unwrap();
-            let second = patch.over(other.clone());
+            let second = patch.part(other.clone());
             prop_assert_eq!(order(&patch.join_conditions(&second, 3).unwrap(), 3), Some(3));
             let mut points = second.points().to_vec();
             for ([_, j, _], point) in indices(patch.degree()).into_iter().zip(&mut points) {

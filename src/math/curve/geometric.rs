@@ -140,7 +140,7 @@ pub fn geometric_continuity(
 
 /// The derivatives of order 0, …, k at a parameter.
 pub fn jet<C: Field>(curve: &BezierCurve<C>, at: &C, k: usize) -> Vec<Vector<C>> {
-    (0..=k).map(|j| curve.derivative(j).value(at).position()).collect()
+    (0..=k).map(|j| curve.nth_derivative(j).value(at).position()).collect()
 }
 
 #[cfg(test)]
@@ -164,7 +164,7 @@ mod tests {
             let polynomial: Poly = inner.iter().cloned().collect();
             let g = f.compose(&PolarForm::new(inner), Interval::unit()).unwrap();
             let report = geometric_continuity(&f, &g, 4).unwrap();
-            let tangent = f.derivative(1).value(b);
+            let tangent = f.derivative().value(b);
             if tangent.iter().all(num_traits::Zero::is_zero) {
                 prop_assert_eq!(report.failure, Some(GeometricFailure::NotRegular));
                 return Ok(());

@@ -10,7 +10,7 @@
 use nalgebra::DMatrix;
 use num_traits::{Signed, Zero};
 
-use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol, horner};
 use crate::math::ring::Ring;
 
 /// A polynomial F in two symbols, primitive with a positive leading coefficient and without repeated factors, that is 0 exactly at the points of the curve
@@ -38,9 +38,7 @@ pub fn implicit_equation(coordinates: &[Vec<Fraction>; 3], symbols: [&Symbol; 2]
     let parameter =
         (0..).map(|k| Symbol::new("t").numbered(k)).find(|t| !known.contains(t) && !symbols.contains(&t))?;
     let t = Fraction::from(MultiPoly::symbol(parameter.clone()));
-    let [first, second, weight] = coordinates
-        .each_ref()
-        .map(|list| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&t).plus(c)));
+    let [first, second, weight] = coordinates.each_ref().map(|list| horner(list, &t));
     if weight.is_zero() {
         return None;
     }
@@ -117,7 +115,7 @@ pub fn bezout_matrix(
         }
     }
     let t = Fraction::from(MultiPoly::symbol(t.clone()));
-    let [p, q] = [p, q].map(|list| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&t).plus(c)));
+    let [p, q] = [p, q].map(|list| horner(&list, &t));
     Some((p, q, matrix))
 }
 

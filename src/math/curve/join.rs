@@ -12,7 +12,7 @@ use crate::math::blossom::Argument;
 use crate::math::ring::Field;
 
 /// One condition for C^k: what a control point of the second curve has to be.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct JoiningCondition<C> {
     /// The order j of the condition.
     pub order: usize,
@@ -23,6 +23,8 @@ pub struct JoiningCondition<C> {
     /// g(b^{n−j}, c^j), the j-th control point of the second curve.
     pub found: Point<C>,
 }
+
+debug_by_fields!(JoiningCondition: order, label, required, found);
 
 impl<C: Field> JoiningCondition<C> {
     /// Whether it holds.
@@ -81,7 +83,7 @@ pub fn joining_conditions<C: Field>(
 }
 
 /// Up to which order two curves meet, and the first order that fails.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Continuity<C> {
     /// The largest k with C^k; `None` if not even the points agree; the degree if the two are
     /// one polynomial.
@@ -91,6 +93,8 @@ pub struct Continuity<C> {
     /// The first condition that fails: the order, and f(t^{n−j}, 1̂^j) for both.
     pub failure: Option<(usize, PolarValue<C>, PolarValue<C>)>,
 }
+
+debug_by_fields!(Continuity: order, same, failure);
 
 /// Up to which order two polynomial curves agree at t, by hats: f(t^{n−j}, 1̂^j) for j = 0, 1, ….
 ///
@@ -138,7 +142,7 @@ mod tests {
             let (_, b) = f.interval().ends();
             let c = b + z(extra);
             // The continuation of f, changed from control point k + 1 on: exactly C^k.
-            let mut points = f.part(b, &c).unwrap().points().to_vec();
+            let mut points = f.part(Interval::new(b.clone(), c.clone()).unwrap()).points().to_vec();
             if k < n {
                 points[k + 1][0] += z(1);
             }
@@ -147,7 +151,7 @@ mod tests {
             let by_points = conditions.iter().take_while(|c| c.holds()).count().checked_sub(1);
             let by_hats = continuity_at(&f, &g, b).unwrap();
             let by_derivatives =
-                (0..=n).take_while(|&j| f.derivative(j).value(b) == g.derivative(j).value(b)).count().checked_sub(1);
+                (0..=n).take_while(|&j| f.nth_derivative(j).value(b) == g.nth_derivative(j).value(b)).count().checked_sub(1);
             prop_assert_eq!(by_points, by_hats.order);
             prop_assert_eq!(by_derivatives, by_hats.order);
             prop_assert_eq!(by_points, Some(k.min(n)));

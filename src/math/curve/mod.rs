@@ -46,12 +46,15 @@ mod vanishing;
 
 use std::fmt;
 
+use crate::math::interval::EmptyInterval;
+
+pub use crate::math::interval::Interval;
 pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
 pub use blend::{gordon_surface, ruled_surface, swept_surface};
 pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
 pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
 pub use curvature::{squared_curvature, torsion, turn};
-pub use domain::{Corner, Interval, Triangle};
+pub use domain::{Corner, Triangle};
 pub use edge::EdgeEquation;
 pub use geometric::{
     GeometricContinuity, GeometricFailure, beta_matrix, geometric_continuity, jet, transferred,
@@ -189,7 +192,7 @@ impl fmt::Display for CurveError {
             CurveError::Dimensions { index, found, expected } => {
                 write!(f, "point {index} has {found} coordinates, the others have {expected}")
             }
-            CurveError::EmptyInterval => f.write_str("the ends of the interval are equal"),
+            CurveError::EmptyInterval => EmptyInterval.fmt(f),
             CurveError::WeightCount { weights, points } => {
                 write!(f, "{weights} weights for {points} control points")
             }
@@ -224,6 +227,12 @@ impl fmt::Display for CurveError {
 }
 
 impl std::error::Error for CurveError {}
+
+impl From<EmptyInterval> for CurveError {
+    fn from(_: EmptyInterval) -> Self {
+        CurveError::EmptyInterval
+    }
+}
 
 /// The common number of coordinates of some points.
 ///

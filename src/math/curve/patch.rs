@@ -13,11 +13,11 @@
 //! References: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989), section 10; G. Farin,
 //! *Curves and Surfaces for CAGD*, 5th ed. (2002), chapters 14 and 15.
 
-use super::domain::Interval;
 use super::polygon::{self, falling};
 use super::{BezierCurve, CurveError, Point, PolarValue, Vector};
 use crate::budget;
 use crate::math::blossom::{Argument, TensorPolarForm};
+use crate::math::interval::Interval;
 use crate::math::number::{Rational, binomial_row};
 use crate::math::ring::{Field, Ring};
 
@@ -71,7 +71,7 @@ pub enum Scheme {
 /// assert_eq!(patch.normal()?.value(&q(1, 2), &q(1, 3)), [q(-1, 3), q(-1, 2), z(1)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TensorPatch<C> {
     net: Net<C>,
     u: Interval<C>,
@@ -367,7 +367,7 @@ impl<C: Field> TensorPatch<C> {
     ) -> Result<Self, CurveError> {
         let patch = TensorPatch::new(grid, u, v)?;
         let nets: Vec<Vec<Vec<C>>> = (0..patch.dimension())
-            .map(|k| bezier_net(&power_form(patch.coordinate(k)), &patch.u, &patch.v))
+            .map(|k| power_form(patch.coordinate(k)).bezier_net(&patch.u, &patch.v))
             .collect();
         Ok(if nets.is_empty() { patch } else { patch.with_coordinates(&nets) })
     }
@@ -381,10 +381,6 @@ impl<C: Field> TensorPatch<C> {
 
 fn power_form<C: Ring>(grid: Vec<Vec<C>>) -> TensorPolarForm<C> {
     TensorPolarForm::new(grid).expect("a net has rows of equal positive length")
-}
-
-fn bezier_net<C: Field>(form: &TensorPolarForm<C>, u: &Interval<C>, v: &Interval<C>) -> Vec<Vec<C>> {
-    form.bezier_net((u.start(), u.end()), (v.start(), v.end()))
 }
 
 /// One level of the bilinear scheme: Σ α_k β_l b_{i+k,j+l} over the four neighbours.

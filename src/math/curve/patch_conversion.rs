@@ -12,11 +12,12 @@
 //! triangles", CAD 19 (1987); S.-M. Hu, "Conversion of a triangular Bézier patch into three
 //! rectangular Bézier patches", CAGD 13 (1996).
 
-use super::domain::{Interval, Triangle};
+use super::domain::Triangle;
 use super::patch::{Net, TensorPatch};
 use super::triangle::{TrianglePatch, place};
 use super::{CurveError, Point, Vector, polygon};
 use crate::math::blossom::TotalDegreePolarForm;
+use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
 impl<C: Field> TensorPatch<C> {

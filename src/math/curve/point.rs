@@ -36,7 +36,7 @@ use crate::math::ring::Ring;
 /// let p = Point::from([z(1), z(2)]);
 /// let sum = &p + &p;
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Point<C>(Vec<C>);
 
 /// A vector by its coordinates: the difference of two points.
@@ -48,7 +48,7 @@ pub struct Point<C>(Vec<C>);
 /// assert_eq!(&(&v + &w) * &q(1, 2), [z(2), z(1)]);
 /// assert_eq!(v.from_origin() - &w, [z(-2), z(2)]);
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Vector<C>(Vec<C>);
 
 /// What is the same for both: lists of coordinates.

@@ -110,7 +110,7 @@ impl<C: Field> RationalCurve<C> {
     pub fn derivatives(&self, t: &C, k: usize) -> Result<Vec<Vector<C>>, CurveError> {
         crate::budget::charge_terms(k as u64);
         let homogeneous: Vec<Vec<Vector<C>>> =
-            (0..=k).map(|r| vec![self.homogeneous.derivative(r).value(t).position()]).collect();
+            (0..=k).map(|r| vec![self.homogeneous.nth_derivative(r).value(t).position()]).collect();
         Ok(quotient_derivatives(&homogeneous)?.into_iter().flatten().collect())
     }
 
@@ -120,7 +120,7 @@ impl<C: Field> RationalCurve<C> {
             let column = |k: usize| curve.points().iter().map(|vector| vector[k].clone()).collect();
             (0..curve.dimension()).map(|k| vec![column(k)]).collect()
         };
-        let (x, v) = (coordinates(&self.homogeneous), coordinates(&self.homogeneous.derivative(1)));
+        let (x, v) = (coordinates(&self.homogeneous), coordinates(&self.homogeneous.derivative()));
         let size = self.dimension();
         let numerator: Vec<Vec<C>> = (0..size)
             .map(|k| {
@@ -150,12 +150,9 @@ impl<C: Field> RationalCurve<C> {
         Ok((RationalCurve { homogeneous: left }, RationalCurve { homogeneous: right }))
     }
 
-    /// The same curve over [r, s].
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if r = s.
-    pub fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
-        Ok(RationalCurve { homogeneous: self.homogeneous.part(r, s)? })
+    /// The same curve over another interval.
+    pub fn part(&self, interval: Interval<C>) -> Self {
+        RationalCurve { homogeneous: self.homogeneous.part(interval) }
     }
 
     /// The same curve of degree n + by.
@@ -336,8 +333,7 @@ pub(super) mod tests {
             if let Ok((left, right)) = curve.subdivide(&q(1, 7)) {
                 prop_assert_eq!(&left.value(&t), &value);
                 prop_assert_eq!(&right.value(&t), &value);
-                let (a, b) = right.interval().ends();
-                prop_assert_eq!(&curve.part(a, b).unwrap(), &right);
+                prop_assert_eq!(&curve.part(right.interval().clone()), &right);
             }
         }
 
@@ -352,7 +348,7 @@ pub(super) mod tests {
                 derivative = derivative.derivative();
             }
             // and Leibniz' rule backwards: x''' = Σ C(3, i) w^(i) p^(3−i)
-            let homogeneous: Vec<_> = (0..4).map(|r| curve.homogeneous().derivative(r).value(&t)).collect();
+            let homogeneous: Vec<_> = (0..4).map(|r| curve.homogeneous().nth_derivative(r).value(&t)).collect();
             let total = (0..4).map(|i| &homogeneous[i][2] * &list[3 - i][1] * z([1, 3, 3, 1][i]));
             prop_assert_eq!(total.sum::<Rational>(), homogeneous[3][1].clone());
         }

@@ -8,13 +8,14 @@
 //! References: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002), chapters 16 and 17;
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), section 4.5.
 
-use super::domain::{Corner, Interval, Triangle};
+use super::domain::{Corner, Triangle};
 use super::patch::{Direction, Side, TensorPatch, minus};
 use super::projective::{check_weight, lifted, lifted_net, parted, projected, quotient_derivatives};
 use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
 use super::{BezierCurve, CurveError, Point, Vector, polygon};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::ring::{Field, Ring};
 
 /// A rational tensor-product patch.
@@ -30,7 +31,7 @@ use crate::math::ring::{Field, Ring};
 /// assert_eq!(patch.value(&q(1, 2), &q(1, 3))?, [q(3, 5), q(4, 5), q(1, 3)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalPatch<C> {
     homogeneous: TensorPatch<C>,
 }
@@ -185,7 +186,7 @@ impl<C: Field> RationalPatch<C> {
 /// assert_eq!(patch.value(&[q(1, 3), q(1, 3)])?, [q(5, 4)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalTriangle<C> {
     homogeneous: TrianglePatch<C>,
 }
@@ -280,8 +281,8 @@ impl<C: Field> RationalTriangle<C> {
     }
 
     /// The same surface over another triangle.
-    pub fn over(&self, triangle: Triangle<C>) -> Self {
-        RationalTriangle { homogeneous: self.homogeneous.over(triangle) }
+    pub fn part(&self, triangle: Triangle<C>) -> Self {
+        RationalTriangle { homogeneous: self.homogeneous.part(triangle) }
     }
 
     /// The same surface of degree n + by.
@@ -419,7 +420,7 @@ mod tests {
             prop_assert_eq!(patch.derivatives(&p, 2), tensor.derivatives(&p[0], &p[1], 2));
             prop_assert_eq!(patch.normal_at(&p), tensor.normal_at(&p[0], &p[1]));
             prop_assert_eq!(patch.elevate(2).value(&p), patch.value(&p));
-            prop_assert_eq!(patch.over(Triangle::unit()).value(&p), patch.value(&p));
+            prop_assert_eq!(patch.part(Triangle::unit()).value(&p), patch.value(&p));
             let corners = patch.homogeneous.triangle().corners();
             let middle = crate::math::curve::lerp(&corners[0], &corners[1], &q(1, 2));
             prop_assert_eq!(patch.boundary_curve(Corner::C).value(&q(1, 2)), patch.value(&middle));

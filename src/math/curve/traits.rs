@@ -18,7 +18,7 @@ use crate::math::ring::Field;
 ///
 /// /// The point at the middle parameter, from both halves.
 /// fn middle<C: Field, K: Curve<C>>(curve: &K) -> Result<C, K::Error> {
-///     let (a, b) = curve.ends();
+///     let (a, b) = curve.interval().ends();
 ///     let t = a.plus(b).scaled(&q(1, 2));
 ///     let (left, right) = curve.subdivide(&t)?;
 ///     assert_eq!(left.value(&t)?, right.value(&t)?);
@@ -26,7 +26,7 @@ use crate::math::ring::Field;
 /// }
 /// let points = || [0, 1, 4].map(|x| vec![z(x)]).to_vec();
 /// assert_eq!(middle(&BezierCurve::new(points(), Interval::unit()).unwrap()), Ok(q(3, 2)));
-/// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
+/// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2)).unwrap()).unwrap();
 /// assert_eq!(middle(&BSpline::new(knots, points()).unwrap()), Ok(z(1)));
 /// ```
 pub trait Curve<C: Field>: Sized {
@@ -39,8 +39,8 @@ pub trait Curve<C: Field>: Sized {
     /// The number of coordinates of a curve point.
     fn dimension(&self) -> usize;
 
-    /// The two ends of the interval.
-    fn ends(&self) -> (&C, &C);
+    /// The interval [a, b] over which the curve is given.
+    fn interval(&self) -> &Interval<C>;
 
     /// The curve point at t.
     ///
@@ -72,11 +72,11 @@ pub trait Curve<C: Field>: Sized {
     /// If t is an end.
     fn subdivide(&self, t: &C) -> Result<(Self, Self), Self::Error>;
 
-    /// The part from r to s.
+    /// The part over another interval, for splines inside of their own.
     ///
     /// # Errors
-    /// If the two are equal.
-    fn part(&self, r: &C, s: &C) -> Result<Self, Self::Error>;
+    /// If there is none.
+    fn part(&self, interval: Interval<C>) -> Result<Self, Self::Error>;
 }
 
 impl<C: Field> Curve<C> for BezierCurve<C> {
@@ -87,8 +87,8 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
     fn dimension(&self) -> usize {
         self.dimension()
     }
-    fn ends(&self) -> (&C, &C) {
-        self.interval().ends()
+    fn interval(&self) -> &Interval<C> {
+        self.interval()
     }
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         Ok(self.value(t))
@@ -97,7 +97,7 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
         self.blossom(arguments)
     }
     fn derivative(&self) -> Result<Self, CurveError> {
-        Ok(self.derivative(1))
+        Ok(self.derivative())
     }
     fn elevate(&self, by: usize) -> Result<Self, CurveError> {
         Ok(self.elevate(by))
@@ -105,8 +105,8 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
     fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
         self.subdivide(t)
     }
-    fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
-        self.part(r, s)
+    fn part(&self, interval: Interval<C>) -> Result<Self, CurveError> {
+        Ok(self.part(interval))
     }
 }
 
@@ -118,8 +118,8 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
     fn dimension(&self) -> usize {
         self.dimension()
     }
-    fn ends(&self) -> (&C, &C) {
-        self.interval().ends()
+    fn interval(&self) -> &Interval<C> {
+        self.interval()
     }
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         self.value(t)
@@ -136,8 +136,8 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
     fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
         self.subdivide(t)
     }
-    fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
-        self.part(r, s)
+    fn part(&self, interval: Interval<C>) -> Result<Self, CurveError> {
+        Ok(self.part(interval))
     }
 }
 
@@ -282,7 +282,7 @@ impl<C: Field> Surface<C> for TrianglePatch<C> {
         self.subdivide(p).map(Vec::from)
     }
     fn part(&self, domain: Triangle<C>) -> Result<Self, CurveError> {
-        Ok(self.over(domain))
+        Ok(self.part(domain))
     }
 }
 
@@ -309,7 +309,7 @@ impl<C: Field> Surface<C> for RationalTriangle<C> {
         self.subdivide(p).map(Vec::from)
     }
     fn part(&self, domain: Triangle<C>) -> Result<Self, CurveError> {
-        Ok(self.over(domain))
+        Ok(self.part(domain))
     }
 }
 

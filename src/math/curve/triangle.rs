@@ -78,7 +78,7 @@ fn values<C: Ring>(points: &[Point<C>], n: usize, [p, q, r]: [&[C; 3]; 3]) -> Ve
 /// assert_eq!(patch.integral(), [q(1, 24)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TrianglePatch<C> {
     points: Vec<Point<C>>,
     degree: usize,
@@ -211,7 +211,7 @@ impl<C: Field> TrianglePatch<C> {
     }
 
     /// The same surface over another triangle, by its polar values.
-    pub fn over(&self, triangle: Triangle<C>) -> Self {
+    pub fn part(&self, triangle: Triangle<C>) -> Self {
         let inside = |corner: &Point<C>| {
             self.triangle.barycentric(corner).expect("corners of a triangle lie in the plane")
         };

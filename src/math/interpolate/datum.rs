@@ -9,7 +9,7 @@ use std::fmt::Debug;
 use super::InterpolationError;
 use crate::budget;
 use crate::math::number::{Int, Rational, factorial};
-use crate::math::piecewise::compare;
+use crate::math::ring::compare;
 use crate::math::ring::{Field, Ring};
 
 /// A number, or a point given by its coordinates: an element of a vector space over C.

@@ -14,6 +14,7 @@ use super::InterpolationError;
 use super::datum::{Datum, distinct, enough, fitting, same_dimension};
 use super::newton::DividedDifferences;
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
 
@@ -89,18 +90,18 @@ pub fn hermite_basis<C: Field>(nodes: &[(C, usize)]) -> Result<Vec<Vec<Vec<C>>>,
 ///
 /// ```
 /// use polarform::interpolate::hermite_bezier;
+/// use polarform::interval::Interval;
 /// use polarform::number::integer as z;
 /// // b_1 = p_0 + m_0/3, b_2 = p_1 − m_1/3 over an interval of length 1
-/// let points = hermite_bezier(&z(0), &z(1), &[z(1), z(6)], &[z(4), z(3)])?;
+/// let points = hermite_bezier(&Interval::unit(), &[z(1), z(6)], &[z(4), z(3)])?;
 /// assert_eq!(points, [1, 3, 3, 4].map(z));
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
 /// ```
 ///
 /// # Errors
-/// [`InterpolationError`] when a = b, there are no data, or their dimensions differ.
+/// [`InterpolationError`] when there are no data, or their dimensions differ.
 pub fn hermite_bezier<C: Field, V: Datum<C>>(
-    a: &C,
-    b: &C,
+    interval: &Interval<C>,
     left: &[V],
     right: &[V],
 ) -> Result<Vec<V>, InterpolationError> {
@@ -110,11 +111,8 @@ pub fn hermite_bezier<C: Field, V: Datum<C>>(
         fitting("datum", left.iter().chain(right), first)?;
     }
     same_dimension(right)?;
-    if a == b {
-        return Err(InterpolationError::EqualNodes { first: 0, second: 1 });
-    }
     budget::charge_terms(count as u64);
-    let h = b.minus(a);
+    let h = interval.width();
     let mut points = from_one_end(count - 1, left, &h);
     let mut mirrored = from_one_end(count - 1, right, &(-h));
     mirrored.reverse();

@@ -82,7 +82,7 @@ impl<C: Field, V: Datum<C>> Tableau<C, V> {
     }
 
     /// The parameter t.
-    pub fn at(&self) -> &C {
+    pub fn parameter(&self) -> &C {
         &self.at
     }
 

@@ -25,7 +25,7 @@ use crate::math::ring::{Field, Ring};
 /// assert_eq!(square.value(&z(3)), z(49));
 /// assert_eq!(square.derivative(), p.scaled(&z(4)));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Coefficients<C>(Vec<C>);
 
 /// From this many products of numbers on, [`Poly`] is faster.
@@ -108,10 +108,7 @@ impl<C: Ring> Coefficients<C> {
 
     /// The value at t, by Horner's rule. Cost: one product for each degree.
     pub fn value(&self, t: &C) -> C {
-        self.0.iter().rev().fold(C::zero(), |sum, c| {
-            budget::step();
-            sum.times(t).plus(c)
-        })
+        horner(&self.0, t)
     }
 
     /// p + q
@@ -278,6 +275,14 @@ impl<C: Ring> From<Vec<C>> for Coefficients<C> {
     fn from(list: Vec<C>) -> Self {
         Coefficients::new(list)
     }
+}
+
+/// Σ c_i t^i, lowest coefficient first, as by [`Coefficients::value`].
+pub(crate) fn horner<C: Ring>(coefficients: &[C], t: &C) -> C {
+    coefficients.iter().rev().fold(C::zero(), |sum, c| {
+        budget::step();
+        sum.times(t).plus(c)
+    })
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ mod real_roots;
 mod resultant;
 mod ring_ops;
 mod symbol;
+pub(in crate::math) mod text;
 mod univariate;
 mod univariate_gcd;
 mod univariate_ops;
@@ -29,6 +30,7 @@ mod univariate_ops;
 mod univariate_tests;
 
 pub use coefficients::Coefficients;
+pub(crate) use coefficients::horner;
 pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};

@@ -20,6 +20,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::{dense, dense_compose};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Ring;
 
@@ -370,14 +371,16 @@ impl Poly {
         Poly::reduced(num, den.clone(), &den)
     }
 
-    /// The integral from a to b (negative of the one from b to a).
+    /// The integral from the first end to the second one (negative of the one back).
     ///
     /// ```
-    /// # use polarform::{number::integer, poly::Poly};
+    /// # use polarform::{interval::Interval, number::integer, poly::Poly};
     /// let f = Poly::variable().pow(2);
-    /// assert_eq!(f.integral(&integer(0), &integer(3)), integer(9));
+    /// assert_eq!(f.integral(&Interval::new(integer(0), integer(3))?), integer(9));
+    /// # Ok::<(), polarform::interval::EmptyInterval>(())
     /// ```
-    pub fn integral(&self, a: &Rational, b: &Rational) -> Rational {
+    pub fn integral(&self, interval: &Interval<Rational>) -> Rational {
+        let (a, b) = interval.ends();
         let antiderivative = self.antiderivative();
         antiderivative.value(b) - antiderivative.value(a)
     }

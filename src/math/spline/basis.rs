@@ -8,6 +8,7 @@
 
 use super::{KnotVector, SplineError};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::Coefficients;
@@ -94,7 +95,7 @@ impl<C: Field> KnotVector<C> {
 
     /// Where functions are what they are to the left.
     fn last_end(&self) -> &C {
-        self.domain().map_or_else(|_| &self.knots()[self.knots().len() - 1], |(_, end)| end)
+        self.interval().map_or_else(|_| &self.knots()[self.knots().len() - 1], Interval::end)
     }
 
     fn check_index(&self, index: usize) -> Result<(), SplineError> {
@@ -170,7 +171,7 @@ mod tests {
         let knots = [q(-1, 3), q(0, 1), q(0, 1), q(1, 2), q(5, 7), q(5, 7), q(5, 7), q(3, 1), q(10, 3)];
         for n in 0..5 {
             let Ok(knots) = KnotVector::new(n, knots.to_vec()) else { continue };
-            let Ok((a, b)) = knots.domain() else { continue };
+            let Ok((a, b)) = knots.interval().map(Interval::ends) else { continue };
             for k in 0..=12 {
                 let t = a + (b - a) * q(k, 12);
                 let (span, values) = knots.values_at(&t).unwrap();
@@ -194,7 +195,7 @@ mod tests {
             let knots: Vec<Rational> =
                 runs.iter().zip(0..).flat_map(|(&m, k)| std::iter::repeat_n(q(k * (k + 3), 2), m.min(n + 1))).collect();
             let Ok(knots) = KnotVector::new(n, knots) else { return Ok(()) };
-            let Ok((a, b)) = knots.domain() else { return Ok(()) };
+            let Ok((a, b)) = knots.interval().map(Interval::ends) else { return Ok(()) };
             let t = q(place, 2).max(a.clone()).min(b.clone());
             let list = knots.knots();
             fn value(list: &[Rational], i: usize, k: usize, t: &Rational, at_end: bool) -> Rational {
@@ -277,7 +278,8 @@ mod by_blossom {
                 }
                 let ordinates: Vec<C> =
                     spline.bezier_piece(j)?.points().iter().map(|point| point[0].clone()).collect();
-                let form = PolarForm::from_bezier_points_over(&ordinates, a, b)
+                let interval = Interval::new(a.clone(), b.clone()).map_err(|_| SplineError::NoDomain)?;
+                let form = PolarForm::from_bezier_points_over(&ordinates, &interval)
                     .map_err(|_| SplineError::NoDomain)?;
                 pieces.push(form.diagonal());
                 breaks.push(b.clone());

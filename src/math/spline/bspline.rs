@@ -3,7 +3,8 @@
 use super::{KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
-use crate::math::curve::{BezierCurve, Interval, Point, PolarValue, Tableau, dimension, lerp};
+use crate::math::curve::{BezierCurve, Point, PolarValue, Tableau, dimension, lerp};
+use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::ring::Field;
@@ -16,7 +17,7 @@ pub struct BSpline<C> {
 }
 
 /// De Boor's tableau together with its ratios.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct DeBoor<C> {
     /// The knot interval.
     pub span: usize,
@@ -27,6 +28,8 @@ pub struct DeBoor<C> {
     pub ratios: Vec<Vec<C>>,
 }
 
+debug_by_fields!(DeBoor: span, tableau, ratios);
+
 impl<C: Field> BSpline<C> {
     /// The spline with these control points.
     ///
@@ -34,9 +37,10 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::PointCount`], [`SplineError::NoDomain`], and points of different dimensions.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(2, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(2, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let points = [(0, 0), (1, 2), (3, 2), (4, 0)].map(|(x, y)| vec![z(x), z(y)]).to_vec();
     /// let s = BSpline::new(knots, points)?;
     /// assert_eq!(s.value(&z(1))?, [z(2), z(2)]);
@@ -52,7 +56,7 @@ impl<C: Field> BSpline<C> {
                 degree: knots.degree(),
             });
         }
-        knots.domain()?;
+        knots.interval()?;
         Ok(BSpline { knots, points })
     }
 
@@ -130,9 +134,9 @@ impl<C: Field> BSpline<C> {
         self.points[0].len()
     }
 
-    /// The ends t_n and t_m of the domain.
-    pub fn domain(&self) -> (&C, &C) {
-        self.knots.domain().expect("a spline has a domain")
+    /// [t_n, t_m], the domain.
+    pub fn interval(&self) -> &Interval<C> {
+        self.knots.interval().expect("a spline has a domain")
     }
 
     /// f_j(u_1, …, u_n): the polar form of the piece on [t_j, t_{j+1}], by de Boor's scheme.
@@ -189,7 +193,7 @@ impl<C: Field> BSpline<C> {
     }
 
     /// 1/(t_{k+n−r} − t_k) and t_k for point i of level r + 1, where k = span − n + r + 1 + i.
-    fn interval(&self, span: usize, r: usize, i: usize) -> (C, &C) {
+    fn between(&self, span: usize, r: usize, i: usize) -> (C, &C) {
         let n = self.degree();
         let k = span + r + 1 + i - n;
         let (start, end) = (&self.knots.knots()[k], &self.knots.knots()[k + n - r]);
@@ -201,7 +205,7 @@ impl<C: Field> BSpline<C> {
             .windows(2)
             .enumerate()
             .map(|(i, pair)| {
-                let (unit, start) = self.interval(span, r, i);
+                let (unit, start) = self.between(span, r, i);
                 match argument {
                     Argument::Point(u) => lerp(&pair[0], &pair[1], &u.minus(start).times(&unit)),
                     Argument::Vector(v) => ((&pair[1] - &pair[0]) * &v.times(&unit)).from_origin(),
@@ -240,7 +244,7 @@ impl<C: Field> BSpline<C> {
         for (r, u) in arguments.iter().enumerate() {
             let level = &levels[levels.len() - 1];
             let ratio = |i: usize| {
-                let (unit, start) = self.interval(span, r, i);
+                let (unit, start) = self.between(span, r, i);
                 u.minus(start).times(&unit)
             };
             ratios.push((0..level.len() - 1).map(ratio).collect());
@@ -296,7 +300,7 @@ impl<C: Field> BSpline<C> {
         let pieces: Vec<Vec<Vec<C>>> = self.bezier_pieces().iter().map(BezierCurve::power).collect();
         let spans = self.knots.spans();
         let mut breaks: Vec<C> = spans.iter().map(|&j| self.knots.knots()[j].clone()).collect();
-        breaks.push(self.domain().1.clone());
+        breaks.push(self.interval().end().clone());
         (0..self.dimension())
             .map(|k| {
                 let column = pieces.iter().map(|piece| piece[k].clone()).collect();

@@ -13,9 +13,10 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::NotSmooth`] at an inner knot of multiplicity n + 1, where the curve may jump.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::integer as z;
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(2, &z(0), &[], &z(1))?;
+    /// let knots = KnotVector::clamped(2, &[], &Interval::unit())?;
     /// let parabola = BSpline::new(knots, vec![vec![z(0)], vec![z(0)], vec![z(1)]])?;
     /// assert_eq!(parabola.derivative()?.points(), [[z(0)], [z(2)]]);
     /// # Ok::<(), polarform::spline::SplineError>(())
@@ -48,7 +49,7 @@ impl<C: Field> BSpline<C> {
     pub fn tight(&self) -> Self {
         let n = self.degree();
         let knots = self.knots().knots();
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let from = knots.iter().rposition(|knot| knot == start).unwrap_or(n).saturating_sub(n);
         let last = knots.iter().position(|knot| knot == end).unwrap_or(self.points().len());
         let (knots, points) = (knots[from..=last + n].to_vec(), self.points()[from..last].to_vec());
@@ -83,7 +84,7 @@ impl<C: Field> BSpline<C> {
         longer.extend_from_slice(knots);
         longer.push(knots[knots.len() - 1].clone());
         let primitive = BSpline::new(KnotVector::new(n + 1, longer)?, points)?;
-        let start = primitive.value(primitive.domain().0)?;
+        let start = primitive.value(primitive.interval().start())?;
         let points = primitive.points().iter().map(|point| (point - &start).from_origin()).collect();
         BSpline::new(primitive.knots().clone(), points)
     }

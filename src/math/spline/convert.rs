@@ -52,9 +52,10 @@ impl<C: Field> KnotVector<C> {
     /// [`SplineError::NoDomain`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::KnotVector;
-    /// let knots = KnotVector::clamped(2, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(2, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let m = knots.to_bezier_matrix()?;
     /// assert_eq!((m.nrows(), m.ncols()), (6, 4));
     /// // the point where the pieces meet is the mean of two control points
@@ -62,7 +63,7 @@ impl<C: Field> KnotVector<C> {
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
     pub fn to_bezier_matrix(&self) -> Result<DMatrix<C>, SplineError> {
-        self.domain()?;
+        self.interval()?;
         let (n, spans) = (self.degree(), self.spans());
         let (rows, columns) = (spans.len() * (n + 1), self.count());
         budget::charge_terms((rows as u64).saturating_mul(columns as u64));

@@ -8,6 +8,7 @@ use super::{BSpline, KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::PolarForm;
 use crate::math::curve::{BezierCurve, CurveError};
+use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
 impl<C: Field> BSpline<C> {
@@ -21,7 +22,7 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::PieceDegree`], [`SplineError::NotSmooth`] if two pieces disagree.
     pub fn from_pieces(knots: KnotVector<C>, pieces: &[BezierCurve<C>]) -> Result<Self, SplineError> {
         let n = knots.degree();
-        knots.domain()?;
+        knots.interval()?;
         let spans = knots.spans();
         let fits = |(&span, piece): (&usize, &BezierCurve<C>)| {
             piece.interval().ends() == (&knots.knots()[span], &knots.knots()[span + 1])
@@ -75,9 +76,10 @@ impl<C: Field> BSpline<C> {
     /// None for a spline whose knots are in order; they are passed on.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let s = BSpline::new(knots, vec![vec![z(0)], vec![z(2)], vec![z(0)]])?.elevate(1)?;
     /// assert_eq!(s.points(), [[z(0)], [z(1)], [z(2)], [z(1)], [z(0)]]);
     /// assert_eq!(s.reduce(1)?.points(), [[z(0)], [z(2)], [z(0)]]);
@@ -98,7 +100,7 @@ impl<C: Field> BSpline<C> {
 
     /// Drops outer knots until the domain is that of self.
     pub(super) fn trimmed_to_domain(&self, knots: &[C], degree: usize) -> Result<KnotVector<C>, SplineError> {
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let last_start = knots.iter().rposition(|knot| knot == start).ok_or(SplineError::NoDomain)?;
         let first_end = knots.iter().position(|knot| knot == end).ok_or(SplineError::NoDomain)?;
         let from = last_start.checked_sub(degree).ok_or(SplineError::NoDomain)?;
@@ -125,7 +127,7 @@ impl<C: Field> BSpline<C> {
             }
         }
         let degree = n - by;
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let mut knots = vec![start.clone(); degree + 1];
         let mut kept = vec![pieces[0].reduce(by)?];
         for (piece, (knot, multiplicity)) in pieces[1..].iter().zip(self.inner_knots()) {
@@ -136,7 +138,10 @@ impl<C: Field> BSpline<C> {
             let wanted = multiplicity.saturating_sub(by).max(needed);
             if wanted == 0 {
                 let before = kept.pop().expect("there is a piece before");
-                kept.push(before.part(before.interval().start(), reduced.interval().end())?);
+                kept.push(before.part(Interval::new(
+                    before.interval().start().clone(),
+                    reduced.interval().end().clone(),
+                )?));
             } else {
                 knots.extend(vec![knot; wanted]);
                 kept.push(reduced);
@@ -150,7 +155,7 @@ impl<C: Field> BSpline<C> {
     /// Replaces the clamped ends by the outer knots that self has, each with its multiplicity
     /// lowered by `by`, where there are enough of them.
     fn outer_knots(&self, degree: usize, by: usize, clamped: Vec<C>) -> Vec<C> {
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let lowered: Vec<C> = self
             .knots()
             .multiplicities()
@@ -188,7 +193,7 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::Domains`], [`SplineError::Unordered`] if the order of the knots of both is
     /// not known, and different dimensions.
     pub fn product(&self, other: &Self) -> Result<Self, SplineError> {
-        if self.domain() != other.domain() {
+        if self.interval() != other.interval() {
             return Err(SplineError::Domains);
         }
         let (m, n) = (self.degree(), other.degree());
@@ -206,7 +211,7 @@ impl<C: Field> BSpline<C> {
         for (f, g) in left.bezier_pieces().iter().zip(right.bezier_pieces()) {
             pieces.push(f.product(&g)?);
         }
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let mut knots = vec![start.clone(); m + n + 1];
         for (knot, _) in left.inner_knots() {
             let repeated = |spline: &Self, degree| match spline.knots().multiplicity(&knot) {

@@ -16,13 +16,15 @@ use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
 
 /// Why a knot cannot be removed: the derivative that jumps there.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Defect<C> {
     /// The order of the derivative that has to be continuous.
     pub order: usize,
     /// Its value after the knot minus that before.
     pub jump: Vector<C>,
 }
+
+debug_by_fields!(Defect: order, jump);
 
 /// (t − t_i)/(t_{i+n} − t_i), for an interval that is not empty.
 fn ratio<C: Field>(knots: &[C], n: usize, i: usize, t: &C) -> C {
@@ -60,9 +62,10 @@ impl<C: Field> BSpline<C> {
     /// As [`KnotVector::span_of`]; [`SplineError::Multiplicity`] for a knot that is there n + 1 times.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let knots = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let s = BSpline::new(knots, vec![vec![z(0)], vec![z(4)]])?.insert(&q(1, 4))?;
     /// assert_eq!(s.points(), [[z(0)], [z(1)], [z(4)]]);
     /// # Ok::<(), polarform::spline::SplineError>(())
@@ -145,7 +148,7 @@ impl<C: Field> BSpline<C> {
         if finer.degree() != n {
             return Err(crate::math::curve::CurveError::Degrees { left: n, right: finer.degree() }.into());
         }
-        if finer.domain()? != self.domain() {
+        if finer.interval()? != self.interval() {
             return Err(SplineError::Domains);
         }
         for (knot, multiplicity) in self.inner_knots() {
@@ -190,7 +193,7 @@ impl<C: Field> BSpline<C> {
     ) -> Result<Self, SplineError> {
         let n = knots.degree();
         let spans = knots.spans();
-        if spans.is_empty() || knots.domain()? != self.domain() {
+        if spans.is_empty() || knots.interval()? != self.interval() {
             return Err(SplineError::Domains);
         }
         // Which piece of self each span of the new knots lies on.
@@ -234,7 +237,7 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::NotAKnot`] if it does not occur so often inside of the domain; with
     /// `Ok(Err(defect))` the derivative whose jump is in the way.
     pub fn remove(&self, t: &C, times: usize) -> Result<Result<Self, Defect<C>>, SplineError> {
-        let (start, end) = self.domain();
+        let (start, end) = self.interval().ends();
         let multiplicity = if t == start || t == end { 0 } else { self.knots().multiplicity(t) };
         if multiplicity < times || multiplicity == 0 {
             return Err(SplineError::NotAKnot { multiplicity, times });
@@ -282,14 +285,14 @@ impl<C: Field> BSpline<C> {
     fn defect(&self, t: &C, order: usize) -> Defect<C> {
         let pieces = self.bezier_pieces();
         let after = pieces.iter().position(|piece| piece.interval().start() == t).expect("an inner knot");
-        let value = |k: usize| pieces[k].derivative(order).value(t);
+        let value = |k: usize| pieces[k].nth_derivative(order).value(t);
         Defect { order, jump: value(after) - value(after - 1) }
     }
 }
 
 /// The interval of sorted knots that holds t, by bisection where all comparisons are possible.
 fn place<C: Field>(knots: &[C], t: &C) -> Result<usize, SplineError> {
-    use crate::math::piecewise::compare;
+    use crate::math::ring::compare;
     use std::cmp::Ordering;
     let (mut low, mut high) = (0, knots.len() - 1);
     if compare(&knots[low], t).is_none_or(|order| order == Ordering::Greater)

@@ -3,18 +3,20 @@
 use std::cmp::Ordering;
 
 use super::SplineError;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational};
-use crate::math::piecewise::compare;
-use crate::math::ring::Ring;
+use crate::math::ring::{Field, compare};
 
 /// Knots t_0 ≤ … ≤ t_{m+n} for basis functions of degree n: m = (number of knots) − n − 1 of them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct KnotVector<C> {
     degree: usize,
-    knots: Vec<C>,
+    pub(super) knots: Vec<C>,
+    /// [t_n, t_m], if the basis functions sum to 1 somewhere.
+    interval: Option<Interval<C>>,
 }
 
-impl<C: Ring> KnotVector<C> {
+impl<C: Field> KnotVector<C> {
     /// The knot vector with these knots.
     ///
     /// # Errors
@@ -49,7 +51,9 @@ impl<C: Ring> KnotVector<C> {
             }
             start += run.len();
         }
-        Ok(KnotVector { degree, knots })
+        let last = knots.len() - degree - 1;
+        let full = (last > degree).then(|| Interval::new(knots[degree].clone(), knots[last].clone()).ok());
+        Ok(KnotVector { degree, knots, interval: full.flatten() })
     }
 
     /// The knots a, a + h, a + 2h, … for `count` basis functions.
@@ -62,11 +66,12 @@ impl<C: Ring> KnotVector<C> {
         KnotVector::new(degree, (0..count + degree + 1).map(knot).collect())
     }
 
-    /// The ends a and b, each n + 1 times, and between them the inner knots.
+    /// The ends of the interval, each n + 1 times, and between them the inner knots.
     ///
     /// # Errors
     /// As [`KnotVector::new`].
-    pub fn clamped(degree: usize, a: &C, inner: &[C], b: &C) -> Result<Self, SplineError> {
+    pub fn clamped(degree: usize, inner: &[C], interval: &Interval<C>) -> Result<Self, SplineError> {
+        let (a, b) = interval.ends();
         crate::budget::charge_terms((degree as u64).saturating_mul(2));
         let mut knots = vec![a.clone(); degree + 1];
         knots.extend_from_slice(inner);
@@ -126,16 +131,12 @@ impl<C: Ring> KnotVector<C> {
         self.knots.iter().filter(|knot| *knot == t).count()
     }
 
-    /// The ends t_n and t_m of the interval on which the basis functions sum to 1.
+    /// The interval [t_n, t_m] on which the basis functions sum to 1: the domain of splines.
     ///
     /// # Errors
     /// [`SplineError::NoDomain`] if there are fewer than n + 1 basis functions or the ends are equal.
-    pub fn domain(&self) -> Result<(&C, &C), SplineError> {
-        if self.count() <= self.degree {
-            return Err(SplineError::NoDomain);
-        }
-        let (start, end) = (&self.knots[self.degree], &self.knots[self.count()]);
-        if start == end { Err(SplineError::NoDomain) } else { Ok((start, end)) }
+    pub fn interval(&self) -> Result<&Interval<C>, SplineError> {
+        self.interval.as_ref().ok_or(SplineError::NoDomain)
     }
 
     /// The numbers j of the intervals [t_j, t_{j+1}] of the domain that are not empty.
@@ -149,7 +150,7 @@ impl<C: Ring> KnotVector<C> {
     /// # Errors
     /// [`SplineError::NoDomain`], [`SplineError::OutsideDomain`], [`SplineError::Unordered`].
     pub fn span_of(&self, t: &C) -> Result<usize, SplineError> {
-        self.domain()?;
+        self.interval()?;
         let inner = &self.knots[self.degree..=self.count()];
         Ok(self.degree + crate::math::piecewise::interval_of(inner, t)?)
     }

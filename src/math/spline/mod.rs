@@ -17,6 +17,7 @@ mod bspline;
 mod calculus;
 mod convert;
 mod degree;
+mod display;
 mod insertion;
 mod integers;
 mod knots;
@@ -31,6 +32,7 @@ mod tests;
 use std::fmt;
 
 use crate::math::curve::CurveError;
+use crate::math::interval::EmptyInterval;
 
 pub use bspline::{BSpline, DeBoor};
 pub use insertion::Defect;
@@ -171,6 +173,12 @@ impl fmt::Display for SplineError {
 }
 
 impl std::error::Error for SplineError {}
+
+impl From<EmptyInterval> for SplineError {
+    fn from(empty: EmptyInterval) -> Self {
+        SplineError::Curve(empty.into())
+    }
+}
 
 impl From<CurveError> for SplineError {
     fn from(error: CurveError) -> Self {

@@ -1,30 +1,29 @@
-//! A spline among other curves: its parts, its text, what it shares with Bézier curves.
+//! A spline among other curves: its parts, what it shares with Bézier curves.
 
-use std::fmt::{Debug, Display, Formatter, Result as Shown};
-
-use super::{BSpline, KnotVector, RationalSpline, SplineError};
+use super::{BSpline, KnotVector, SplineError};
 use crate::math::blossom::Argument;
-use crate::math::curve::{Curve, CurveError, Point, PolarValue, display};
+use crate::math::curve::{Curve, CurveError, Interval, Point, PolarValue};
 use crate::math::ring::Field;
 
 impl<C: Field> BSpline<C> {
     /// The parts before and after t, by inserting t until its multiplicity is n + 1.
     ///
     /// # Errors
-    /// [`CurveError::EmptyInterval`] if t is an end of the domain, and as [`KnotVector::span_of`].
+    /// [`CurveError::EmptyInterval`] if t is an end of the interval, and as [`KnotVector::span_of`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::integer as z;
     /// use polarform::spline::{BSpline, KnotVector};
-    /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let s = BSpline::new(knots, vec![vec![z(0)], vec![z(4)], vec![z(0)]])?;
     /// let (left, right) = s.subdivide(&z(1))?;
     /// assert_eq!(left.points(), [[z(0)], [z(4)]]);
-    /// assert_eq!(right.domain(), (&z(1), &z(2)));
+    /// assert_eq!(right.interval(), &Interval::new(z(1), z(2))?);
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
     pub fn subdivide(&self, t: &C) -> Result<(Self, Self), SplineError> {
-        let (a, b) = self.domain();
+        let (a, b) = self.interval().ends();
         if t == a || t == b {
             return Err(CurveError::EmptyInterval.into());
         }
@@ -39,12 +38,12 @@ impl<C: Field> BSpline<C> {
         Ok((part(&knots[..at + n + 1], &points[..at])?, part(&knots[at..], &points[at..])?))
     }
 
-    /// The part from r to s, r before s.
+    /// The part over [r, s] inside of its own interval, r before s.
     ///
     /// # Errors
     /// As [`BSpline::subdivide`] for parameters that are not ends.
-    pub fn part(&self, r: &C, s: &C) -> Result<Self, SplineError> {
-        let (a, b) = self.domain();
+    pub fn part(&self, interval: Interval<C>) -> Result<Self, SplineError> {
+        let ((a, b), (r, s)) = (self.interval().ends(), interval.ends());
         let from = if r == a { self.clone() } else { self.subdivide(r)?.1 };
         if s == b { Ok(from) } else { Ok(from.subdivide(s)?.0) }
     }
@@ -58,8 +57,8 @@ impl<C: Field> Curve<C> for BSpline<C> {
     fn dimension(&self) -> usize {
         self.dimension()
     }
-    fn ends(&self) -> (&C, &C) {
-        self.domain()
+    fn interval(&self) -> &Interval<C> {
+        self.interval()
     }
     fn value(&self, t: &C) -> Result<Point<C>, SplineError> {
         self.value(t)
@@ -76,48 +75,8 @@ impl<C: Field> Curve<C> for BSpline<C> {
     fn subdivide(&self, t: &C) -> Result<(Self, Self), SplineError> {
         self.subdivide(t)
     }
-    fn part(&self, r: &C, s: &C) -> Result<Self, SplineError> {
-        self.part(r, s)
-    }
-}
-
-fn opened<C: Field + Display>(f: &mut Formatter<'_>, knots: &KnotVector<C>) -> Shown {
-    write!(f, "bspline({}, ", knots.degree())?;
-    display::list(f, knots.knots(), |f, knot| Display::fmt(knot, f))?;
-    f.write_str(", ")
-}
-
-/// `bspline(n, [t_0, …], [d_0, …])`
-impl<C: Field + Display> Display for BSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        opened(f, self.knots())?;
-        display::points(f, self.points())?;
-        f.write_str(")")
-    }
-}
-
-/// As for a polynomial spline, with `weights=[…]`; with `homogeneous=1` and the control vectors if one
-/// has weight 0.
-impl<C: Field + Display> Display for RationalSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        let spline = self.homogeneous();
-        opened(f, spline.knots())?;
-        display::weighted(f, self.points(), spline.points(), |_| Ok(()))?;
-        f.write_str(")")
-    }
-}
-
-/// `BSpline(bspline(1, [0, 0, 1, 1], [1, 3]))`
-impl<C: Field + Display> Debug for BSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        write!(f, "BSpline({self})")
-    }
-}
-
-/// `RationalSpline(bspline(1, [0, 0, 1, 1], [1, 3], weights=[1, 2]))`
-impl<C: Field + Display> Debug for RationalSpline<C> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        write!(f, "RationalSpline({self})")
+    fn part(&self, interval: Interval<C>) -> Result<Self, SplineError> {
+        self.part(interval)
     }
 }
 
@@ -125,6 +84,7 @@ impl<C: Field + Display> Debug for RationalSpline<C> {
 mod tests {
     use super::*;
     use crate::math::number::{Rational, integer as z, rational as q};
+    use crate::math::spline::RationalSpline;
 
     /// A cubic with a double knot at 2, unclamped at its start.
     fn cubic() -> BSpline<Rational> {
@@ -138,15 +98,15 @@ mod tests {
         let s = cubic();
         for t in [q(1, 2), z(1), z(2), q(7, 2)] {
             let (left, right) = s.subdivide(&t).unwrap();
-            assert_eq!((left.domain(), right.domain()), ((&z(0), &t), (&t, &z(4))));
+            assert_eq!((left.interval().ends(), right.interval().ends()), ((&z(0), &t), (&t, &z(4))));
             for k in 0..=16 {
                 let x = q(k, 4);
                 let half = if x < t { &left } else { &right };
                 assert_eq!(half.value(&x).unwrap(), s.value(&x).unwrap(), "at {x}, cut at {t}");
             }
         }
-        let part = s.part(&q(1, 3), &z(3)).unwrap();
-        assert_eq!(part.domain(), (&q(1, 3), &z(3)));
+        let part = s.part(Interval::new(q(1, 3), z(3)).unwrap()).unwrap();
+        assert_eq!(part.interval().ends(), (&q(1, 3), &z(3)));
         assert_eq!(part.value(&z(2)).unwrap(), s.value(&z(2)).unwrap());
         let t = q(5, 2);
         let same = vec![Argument::Point(t.clone()); 3];
@@ -166,7 +126,7 @@ mod tests {
 
     #[test]
     fn as_the_language_writes_it() {
-        let knots = KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
+        let knots = KnotVector::clamped(1, &[], &Interval::unit()).unwrap();
         let line = BSpline::new(knots, vec![vec![q(1, 2)], vec![z(3)]]).unwrap();
         assert_eq!(line.to_string(), "bspline(1, [0, 0, 1, 1], [1/2, 3])");
         let plane = [[0, 1], [2, 3]].map(|p| p.map(z)).to_vec();

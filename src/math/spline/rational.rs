@@ -13,16 +13,18 @@ use crate::math::blossom::Argument;
 use crate::math::curve::{
     BezierCurve, Curve, Point, PolarValue, RationalCurve, Vector, check_weight, lifted, parted, projected,
 };
+use crate::math::interval::Interval;
 use crate::math::ring::Field;
 
 /// A rational spline by its homogeneous one.
 ///
 /// ```
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::{KnotVector, RationalSpline};
 /// // half of the unit circle from two quarters
 /// let points = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]].map(|p| p.map(z)).to_vec();
-/// let knots = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(2))?;
+/// let knots = KnotVector::clamped(2, &[z(1), z(1)], &Interval::new(z(0), z(2))?)?;
 /// let half = RationalSpline::new(knots, points, [2, 1, 1, 1, 2].map(z).to_vec())?;
 /// assert_eq!(half.value(&q(1, 2))?, [q(4, 5), q(3, 5)]);
 /// assert_eq!(half.derivative()?.value(&z(0))?, [z(0), z(1)]);
@@ -110,7 +112,7 @@ impl<C: Field> RationalSpline<C> {
     /// # Errors
     /// [`SplineError::NotSmooth`] at an inner knot of multiplicity n + 1, where the curve may jump.
     pub fn derivative(&self) -> Result<Self, SplineError> {
-        let (n, (a, b)) = (self.homogeneous.degree(), self.homogeneous.domain());
+        let n = self.homogeneous.degree();
         let own = self.homogeneous.knots();
         let mut inner = Vec::new();
         for (knot, multiplicity) in self.homogeneous.inner_knots() {
@@ -122,7 +124,7 @@ impl<C: Field> RationalSpline<C> {
         }
         let pieces: Vec<BezierCurve<C>> =
             self.bezier_pieces().iter().map(|piece| piece.derivative().homogeneous().clone()).collect();
-        let knots = KnotVector::clamped(2 * n, a, &inner, b)?;
+        let knots = KnotVector::clamped(2 * n, &inner, self.homogeneous.interval())?;
         RationalSpline::from_homogeneous(BSpline::from_pieces(knots, &pieces)?)
     }
 }
@@ -135,8 +137,8 @@ impl<C: Field> Curve<C> for RationalSpline<C> {
     fn dimension(&self) -> usize {
         self.dimension()
     }
-    fn ends(&self) -> (&C, &C) {
-        self.homogeneous.domain()
+    fn interval(&self) -> &Interval<C> {
+        self.homogeneous.interval()
     }
     fn value(&self, t: &C) -> Result<Point<C>, SplineError> {
         self.value(t)
@@ -156,8 +158,8 @@ impl<C: Field> Curve<C> for RationalSpline<C> {
         let (left, right) = self.homogeneous.subdivide(t)?;
         Ok((RationalSpline { homogeneous: left }, RationalSpline { homogeneous: right }))
     }
-    fn part(&self, r: &C, s: &C) -> Result<Self, SplineError> {
-        Ok(RationalSpline { homogeneous: self.homogeneous.part(r, s)? })
+    fn part(&self, interval: Interval<C>) -> Result<Self, SplineError> {
+        Ok(RationalSpline { homogeneous: self.homogeneous.part(interval)? })
     }
 }
 
@@ -179,7 +181,7 @@ mod tests {
             let s = RationalSpline::from_homogeneous(homogeneous.clone()).unwrap();
             // x/w, x'/w − x w'/w² and so on by hand, from the pieces in powers of t
             let jet: Vec<Vec<Rational>> = homogeneous.power_pieces().iter()
-                .map(|p| (0..3).map(|r| p.derivative(r).value(&t).unwrap()).collect()).collect();
+                .map(|p| (0..3).map(|r| p.nth_derivative(r).value(&t).unwrap()).collect()).collect();
             let ([x, x1, x2], [w, w1, w2]) = (
                 <&[_; 3]>::try_from(&jet[0][..]).unwrap(), <&[_; 3]>::try_from(&jet[1][..]).unwrap());
             if w.is_zero() {
@@ -206,14 +208,14 @@ mod tests {
             prop_assert_eq!(raised.value(&t).unwrap(), s.value(&t).unwrap());
             if let Ok((left, right)) = Curve::subdivide(&s, &t) {
                 prop_assert_eq!(right.value(&t).unwrap(), s.value(&t).unwrap());
-                prop_assert_eq!(left.homogeneous().domain().1, &t);
+                prop_assert_eq!(left.homogeneous().interval().end(), &t);
             }
         }
     }
 
     #[test]
     fn weights_and_points_return() {
-        let knots = || KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
+        let knots = || KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2)).unwrap()).unwrap();
         let points: Vec<Point<Rational>> = [1, 5, 2].map(|x| [z(x)].into()).to_vec();
         let weights = [2, 1, 3].map(z);
         let s = RationalSpline::new(knots(), points.clone(), weights.to_vec()).unwrap();

@@ -19,11 +19,12 @@ use crate::math::ring::Field;
 /// A rational spline surface by its homogeneous one.
 ///
 /// ```
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::{KnotVector, RationalSplineSurface};
 /// // half of the cylinder x² + y² = 1 of height 1, from two quarters
-/// let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(2))?;
-/// let v = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+/// let u = KnotVector::clamped(2, &[z(1), z(1)], &Interval::new(z(0), z(2))?)?;
+/// let v = KnotVector::clamped(1, &[], &Interval::unit())?;
 /// let circle = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
 /// let net = circle.map(|[x, y]| [0, 1].map(|h| [x, y, h].map(z)).to_vec()).to_vec();
 /// let weights = [2, 1, 1, 1, 2].map(|w| vec![z(w); 2]).to_vec();
@@ -31,7 +32,7 @@ use crate::math::ring::Field;
 /// assert_eq!(half.value(&q(1, 2), &q(1, 3))?, [q(4, 5), q(3, 5), q(1, 3)]);
 /// # Ok::<(), polarform::spline::SplineError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalSplineSurface<C> {
     homogeneous: SplineSurface<C>,
 }
@@ -157,7 +158,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn knots() -> [KnotVector<Rational>; 2] {
-        let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(3)).unwrap();
+        let u = KnotVector::clamped(2, &[z(1), z(1)], &Interval::new(z(0), z(3)).unwrap()).unwrap();
         [u, KnotVector::uniform(3, 4, &z(-3), &z(1)).unwrap()]
     }
 
@@ -219,7 +220,7 @@ mod tests {
 
     #[test]
     fn bad_weights_are_refused() {
-        let flat = || KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
+        let flat = || KnotVector::clamped(1, &[], &Interval::unit()).unwrap();
         let points = || vec![vec![Point::from([z(1)]), Point::from([z(2)])]; 2];
         let new = |weights: Vec<Vec<Rational>>| RationalSplineSurface::new(flat(), flat(), points(), weights);
         assert!(new(vec![vec![z(1); 2], vec![z(1); 2]]).is_ok());

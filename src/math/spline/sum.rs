@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use super::{BSpline, KnotVector, SplineError};
 use crate::math::curve::CurveError;
-use crate::math::piecewise::compare;
 use crate::math::ring::Field;
+use crate::math::ring::compare;
 
 impl<C: Field> BSpline<C> {
     /// The sum of two splines over one domain, of the larger degree. Over the same knots the control
@@ -19,12 +19,13 @@ impl<C: Field> BSpline<C> {
     /// not known, and different dimensions.
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::integer as z;
     /// use polarform::spline::{BSpline, KnotVector};
     /// let over = |inner: &[i64], points: &[i64]| {
     ///     let inner: Vec<_> = inner.iter().map(|&knot| z(knot)).collect();
     ///     let points = points.iter().map(|&x| vec![z(x)]).collect();
-    ///     BSpline::new(KnotVector::clamped(1, &z(0), &inner, &z(6))?, points)
+    ///     BSpline::new(KnotVector::clamped(1, &inner, &Interval::new(z(0), z(6))?)?, points)
     /// };
     /// let sum = over(&[2], &[0, 2, 2])?.sum(&over(&[3], &[0, 3, 0])?)?;
     /// assert_eq!(sum.points(), [[z(0)], [z(4)], [z(5)], [z(2)]]);
@@ -42,14 +43,13 @@ impl<C: Field> BSpline<C> {
         if self.knots() == other.knots() {
             return add(self, other);
         }
-        if self.domain() != other.domain() {
+        if self.interval() != other.interval() {
             return Err(SplineError::Domains);
         }
         let n = self.degree().max(other.degree());
         let (left, right) = (self.elevate(n - self.degree())?, other.elevate(n - other.degree())?);
         let inner = merged(left.inner_knots(), right.inner_knots())?;
-        let (start, end) = self.domain();
-        let knots = KnotVector::clamped(n, start, &inner, end)?;
+        let knots = KnotVector::clamped(n, &inner, self.interval())?;
         add(&left.refine(knots.clone())?, &right.refine(knots)?)
     }
 }
@@ -83,13 +83,14 @@ fn merged<C: Field>(left: Vec<(C, usize)>, right: Vec<(C, usize)>) -> Result<Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::interval::Interval;
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::spline::tests::any_spline;
     use proptest::prelude::*;
 
     /// A spline moved to the domain [0, 1], clamped or not.
     fn over_unit(s: &BSpline<Rational>) -> BSpline<Rational> {
-        let (a, b) = s.domain();
+        let (a, b) = s.interval().ends();
         let moved = |x: &Rational| (x - a) / (b - a);
         let knots = s.knots().knots().iter().map(moved).collect();
         BSpline::new(KnotVector::new(s.degree(), knots).unwrap(), s.points().to_vec()).unwrap()
@@ -120,9 +121,9 @@ mod tests {
         #[test]
         fn halved_knots_keep_the_curve(s in any_spline()) {
             let fine = s.refine(s.halved_knots().unwrap()).unwrap();
-            prop_assert_eq!(fine.domain(), s.domain());
+            prop_assert_eq!(fine.interval(), s.interval());
             prop_assert_eq!(fine.knots().spans().len(), 2 * s.knots().spans().len());
-            let (a, b) = s.domain();
+            let (a, b) = s.interval().ends();
             for k in 0..=12 {
                 let t = a + (b - a) * q(k, 12);
                 prop_assert_eq!(fine.value(&t).unwrap(), s.value(&t).unwrap());
@@ -137,18 +138,20 @@ mod tests {
             [1, 3, 2, 4].map(|x| vec![z(x)]).to_vec(),
         )
         .unwrap();
-        let clamped = s.refine(KnotVector::clamped(2, &z(2), &[z(3)], &z(4)).unwrap()).unwrap();
+        let clamped =
+            s.refine(KnotVector::clamped(2, &[z(3)], &Interval::new(z(2), z(4)).unwrap()).unwrap()).unwrap();
         assert_eq!(clamped.points(), [[z(2)], [z(3)], [z(2)], [z(3)]]);
-        let smaller = KnotVector::clamped(2, &z(2), &[], &z(3)).unwrap();
+        let smaller = KnotVector::clamped(2, &[], &Interval::new(z(2), z(3)).unwrap()).unwrap();
         assert_eq!(s.refine(smaller), Err(SplineError::Domains));
-        let without = KnotVector::clamped(2, &z(2), &[], &z(4)).unwrap();
+        let without = KnotVector::clamped(2, &[], &Interval::new(z(2), z(4)).unwrap()).unwrap();
         assert_eq!(s.refine(without), Err(SplineError::MissingKnot { index: 3 }));
     }
 
     #[test]
     fn sums_that_cannot_be() {
         let spline = |a: i64, b: i64, points: Vec<Vec<Rational>>| {
-            BSpline::new(KnotVector::clamped(1, &z(a), &[], &z(b)).unwrap(), points).unwrap()
+            BSpline::new(KnotVector::clamped(1, &[], &Interval::new(z(a), z(b)).unwrap()).unwrap(), points)
+                .unwrap()
         };
         let line = spline(0, 1, vec![vec![z(0)], vec![z(1)]]);
         assert_eq!(line.sum(&spline(0, 2, vec![vec![z(0)], vec![z(1)]])), Err(SplineError::Domains));

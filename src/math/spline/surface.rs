@@ -15,7 +15,7 @@ use crate::math::curve::{
 use crate::math::ring::Field;
 
 /// A spline surface by its knots and control net.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct SplineSurface<C> {
     u: KnotVector<C>,
     v: KnotVector<C>,
@@ -39,10 +39,11 @@ impl<C: Field> SplineSurface<C> {
     /// [`CurveError::RaggedNet`], points of different dimensions, [`SplineError::NoDomain`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let u = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
-    /// let v = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let u = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
+    /// let v = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let heights = [[0, 0], [1, 3], [2, 2]];
     /// let net = heights.map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(u, v, net)?;
@@ -66,7 +67,7 @@ impl<C: Field> SplineSurface<C> {
                 let (degree, knots) = (knots.degree(), knots.knots().len());
                 return Err(SplineError::PointCount { points, knots, degree });
             }
-            knots.domain()?;
+            knots.interval()?;
         }
         Ok(SplineSurface { u, v, net })
     }
@@ -148,20 +149,22 @@ impl<C: Field> SplineSurface<C> {
         self.along(direction, |spline| spline.insert_all(knots))
     }
 
-    /// The same surface with the degree raised in one direction.
+    /// The same surface of degree (m + by_u, n + by_v).
     ///
     /// # Errors
     /// As [`BSpline::elevate`].
-    pub fn elevate(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
-        self.along(direction, |spline| spline.elevate(by))
+    pub fn elevate(&self, by_u: usize, by_v: usize) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.elevate(by_u))?
+            .along(Direction::V, |spline| spline.elevate(by_v))
     }
 
-    /// The same surface with the degree lowered in one direction, where that is exact.
+    /// The same surface of degree (m − by_u, n − by_v), where that is exact.
     ///
     /// # Errors
-    /// As [`BSpline::reduce`].
-    pub fn reduce(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
-        self.along(direction, |spline| spline.reduce(by))
+    /// As [`BSpline::reduce`], u first.
+    pub fn reduce(&self, by_u: usize, by_v: usize) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.reduce(by_u))?
+            .along(Direction::V, |spline| spline.reduce(by_v))
     }
 
     /// ∂^{r+s}/∂u^r ∂v^s.
@@ -180,9 +183,10 @@ impl<C: Field> SplineSurface<C> {
     ///
     /// ```
     /// use polarform::curve::Direction;
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let knots = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let knots = KnotVector::clamped(1, &[], &Interval::unit())?;
     /// let net = [[0, 2], [4, 6]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(knots.clone(), knots, net)?;
     /// let (left, right) = s.subdivide(Direction::U, &q(1, 2))?;
@@ -208,8 +212,8 @@ impl<C: Field> SplineSurface<C> {
     /// # Errors
     /// As [`BSpline::part`].
     pub fn part(&self, u: Interval<C>, v: Interval<C>) -> Result<Self, SplineError> {
-        self.along(Direction::U, |spline| spline.part(u.start(), u.end()))?
-            .along(Direction::V, |spline| spline.part(v.start(), v.end()))
+        self.along(Direction::U, |spline| spline.part(u.clone()))?
+            .along(Direction::V, |spline| spline.part(v.clone()))
     }
 
     /// The Bézier patch of the knot intervals of (u, v).
@@ -218,9 +222,10 @@ impl<C: Field> SplineSurface<C> {
     /// As [`KnotVector::span_of`].
     ///
     /// ```
+    /// use polarform::interval::Interval;
     /// use polarform::number::{integer as z, rational as q};
     /// use polarform::spline::{KnotVector, SplineSurface};
-    /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let knots = KnotVector::clamped(1, &[z(1)], &Interval::new(z(0), z(2))?)?;
     /// let net = [[0, 1, 0], [1, 4, 1], [0, 1, 0]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
     /// let s = SplineSurface::new(knots.clone(), knots, net)?;
     /// let patch = s.patch_at(&q(1, 2), &q(3, 2))?;
@@ -274,7 +279,7 @@ impl<C: Field> Surface<C> for SplineSurface<C> {
         Ok(self.patch_at(u, v)?.derivative_at(r, s, u, v))
     }
     fn elevate(&self, by: usize) -> Result<Self, SplineError> {
-        self.elevate(Direction::U, by)?.elevate(Direction::V, by)
+        self.elevate(by, by)
     }
     fn subdivide(&self, [u, v]: &[C; 2]) -> Result<Vec<Self>, SplineError> {
         quartered(self, Self::subdivide, u, v)
@@ -293,7 +298,7 @@ mod tests {
     fn surface() -> impl Strategy<Value = SplineSurface<Rational>> {
         let heights = prop::collection::vec(prop::collection::vec(-9i64..10, 2), 20);
         heights.prop_map(|points| {
-            let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(3)).unwrap();
+            let u = KnotVector::clamped(2, &[z(1), z(1)], &Interval::new(z(0), z(3)).unwrap()).unwrap();
             let v = KnotVector::uniform(3, 4, &z(-3), &z(1)).unwrap();
             let point = |k: usize| -> Point<Rational> { points[k].iter().map(|&x| z(x)).collect() };
             let net = (0..5).map(|i| (0..4).map(|j| point(4 * i + j)).collect()).collect();
@@ -311,9 +316,9 @@ mod tests {
             prop_assert_eq!(&s.transposed().value(&v, &u).unwrap(), &value);
             let fine = s.insert(Direction::U, &[q(1, 2)]).unwrap().insert(Direction::V, &[q(1, 3)]).unwrap();
             prop_assert_eq!(&fine.value(&u, &v).unwrap(), &value);
-            let raised = s.elevate(Direction::V, 1).unwrap();
+            let raised = s.elevate(0, 1).unwrap();
             prop_assert_eq!(&raised.value(&u, &v).unwrap(), &value);
-            prop_assert_eq!(&raised.reduce(Direction::V, 1).unwrap().value(&u, &v).unwrap(), &value);
+            prop_assert_eq!(&raised.reduce(0, 1).unwrap().value(&u, &v).unwrap(), &value);
             let (a, b) = (s.knots().0.span_of(&u).unwrap(), s.knots().1.span_of(&v).unwrap());
             let patches = s.patches();
             let row = s.knots().0.spans().iter().position(|&k| k == a).unwrap();
@@ -332,7 +337,7 @@ mod tests {
             };
             let (us, vs) = (behind(&u, 3), behind(&v, 1));
             let part = s.part(us.clone(), vs.clone()).unwrap();
-            prop_assert_eq!((part.knots().0.domain(), part.knots().1.domain()), (Ok(us.ends()), Ok(vs.ends())));
+            prop_assert_eq!((part.knots().0.interval(), part.knots().1.interval()), (Ok(&us), Ok(&vs)));
             let inside = |i: &Interval<Rational>| (i.start() + i.end() * z(2)) / z(3);
             for (u, v) in [(us.start(), vs.end()), (us.end(), &inside(&vs)), (&inside(&us), &inside(&vs))] {
                 prop_assert_eq!(part.value(u, v), s.value(u, v));
@@ -342,7 +347,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_said() {
-        let knots = || KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
+        let knots = || KnotVector::clamped(1, &[], &Interval::unit()).unwrap();
         let row = || vec![vec![z(0)], vec![z(1)]];
         let ragged = SplineSurface::new(knots(), knots(), vec![row(), vec![vec![z(0)]]]);
         assert!(matches!(ragged, Err(SplineError::Curve(CurveError::RaggedNet { row: 1, .. }))));

@@ -5,6 +5,7 @@ use num_traits::{Signed, Zero};
 
 use super::{Scheme, SubdivisionError};
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::linalg::characteristic_polynomial;
 use crate::math::number::{Int, Rational};
 use crate::math::poly::{Coefficients, Poly};
@@ -124,8 +125,9 @@ fn expands(symbol: &Coefficients<Rational>, phase: i64) -> bool {
     let matrix = DMatrix::from_fn(size, size, entry);
     let polynomial = characteristic_polynomial(&matrix).expect("the matrix is square");
     let polynomial: Poly = polynomial.iter().cloned().collect();
-    let (one, minus_one) = (Rational::from_integer(Int::ONE), Rational::from_integer(Int::from(-1)));
-    let inside = polynomial.count_roots(&minus_one, &one).unwrap_or(0);
+    let one = Rational::from_integer(Int::ONE);
+    let around = Interval::new(-one.clone(), one.clone()).expect("1 is not -1");
+    let inside = polynomial.count_roots(&around).unwrap_or(0);
     let at_one = usize::from(polynomial.value(&one).is_zero());
     polynomial.count_real_roots().unwrap_or(0) > inside - at_one
 }

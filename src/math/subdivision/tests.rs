@@ -109,7 +109,7 @@ proptest! {
             // The parameter of the first value: N_0 has its middle at (n + 1)/2 or, for even n, half a step before.
             let stencil = limit_stencil(&scheme, order, 3).unwrap();
             let derived = s.nth_derivative(order).unwrap();
-            let at = s.domain().0.clone();
+            let at = s.interval().start().clone();
             let values = stencil.apply(&points, false).unwrap();
             let expected = derived.value(&at).unwrap();
             prop_assert!(values.contains(&expected), "degree {n}, order {order}: {values:?} {expected:?}");

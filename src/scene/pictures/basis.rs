@@ -321,6 +321,7 @@ fn range(paths: &[Vec<Path>]) -> (f64, f64) {
 mod tests {
     use super::*;
     use crate::math::basis::{Basis, change_of_basis};
+    use crate::math::interval::Interval;
     use crate::math::number::{integer, rational};
     use proptest::prelude::*;
 
@@ -335,7 +336,7 @@ mod tests {
         ) {
             let coefficients: Vec<Rational> = coefficients.into_iter().map(|c| rational(c, 3)).collect();
             let (a, b) = (rational(a, 2), rational(a, 2) + rational(length, 3));
-            let basis = Basis::Bernstein { a: a.clone(), b: b.clone() };
+            let basis = Basis::Bernstein(Interval::new(a.clone(), b.clone()).unwrap());
             let matrix = change_of_basis(coefficients.len() - 1, &Basis::Power, &basis).unwrap();
             let expected = matrix * nalgebra::DVector::from_vec(coefficients.clone());
             prop_assert_eq!(ordinates(&coefficients, &[a, b]), expected.as_slice());

@@ -81,7 +81,7 @@ impl BezierPicture {
             let own = curve.marks.iter().map(|(parameter, text)| (parameter, text.clone()));
             for (parameter, text) in of_all.chain(own) {
                 let what = || format!("the curve at t = {parameter}");
-                let point = curve.at(parameter).ok_or_else(|| SceneError::AtInfinity { what: what() })?;
+                let point = curve.value(parameter).ok_or_else(|| SceneError::AtInfinity { what: what() })?;
                 let spot = Spot::exact(&point)?;
                 scene.add(Marker::new(spot, Shape::Diamond, Ink::Accent));
                 scene.add(Label::beside(spot, text, Direction::South).small());

@@ -42,7 +42,7 @@ impl Curve {
     /// use polarform::scene::pictures::Curve;
     /// // a quarter of the unit circle
     /// let quarter = Curve::rational(vec![[1, 0, 1], [1, 1, 1], [0, 2, 2]].into_iter().map(|p| p.map(z)).collect());
-    /// assert_eq!(quarter.at(&polarform::number::rational(1, 2)), Some([(3, 5), (4, 5)].map(|(p, q)| polarform::number::rational(p, q))));
+    /// assert_eq!(quarter.value(&polarform::number::rational(1, 2)), Some([(3, 5), (4, 5)].map(|(p, q)| polarform::number::rational(p, q))));
     /// ```
     pub fn rational(points: Vec<[Rational; 3]>) -> Self {
         Curve { points, labels: Vec::new(), name: None, marks: Vec::new() }
@@ -59,7 +59,7 @@ impl Curve {
     }
 
     /// The point of the curve at t, exactly; `None` at infinity or without control points.
-    pub fn at(&self, t: &Rational) -> Option<Plane> {
+    pub fn value(&self, t: &Rational) -> Option<Plane> {
         let [x, y, w] = levels(&self.points, t).pop()?.pop()?;
         (!w.is_zero()).then(|| [x / &w, y / w])
     }

@@ -292,7 +292,7 @@ pub(super) fn hodograph(args: &Arguments) -> Evaluated {
     let names_of_curve = names(&curve, 0, wanted);
     if space == Space::Graph {
         // the graphs of a function and of its derivative
-        let derivative = curve.derivative(1);
+        let derivative = curve.derivative();
         let second = place(&derivative, form, span)?.polynomial(span)?;
         let graph = |points: Vec<Plane>, labels: Vec<Expr>| {
             let picture = BezierPicture::of(Curve::new(points.clone()).with_labels(labels));

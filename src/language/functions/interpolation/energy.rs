@@ -225,9 +225,7 @@ impl Functions {
         let basis = read_basis(value, place).map_err(|error| error.hint("or the knots of B-splines"))?;
         basis.validate(n).map_err(basis_error).at(place)?;
         let own = match &basis {
-            Basis::Bernstein { a, b } | Basis::Legendre { a, b } | Basis::HermiteEndpoints { a, b } => {
-                Interval::new(a.clone(), b.clone()).map_err(curve_error).at(place)?
-            }
+            Basis::Bernstein(own) | Basis::Legendre(own) | Basis::HermiteEndpoints(own) => own.clone(),
             _ => Interval::unit(),
         };
         Ok(Functions::Polynomials(n, Box::new(basis), Box::new(given.unwrap_or(own))))
@@ -285,8 +283,7 @@ impl Functions {
 }
 
 fn bernstein(interval: &Interval<Fraction>) -> Basis<Fraction> {
-    let (a, b) = interval.ends();
-    Basis::Bernstein { a: a.clone(), b: b.clone() }
+    Basis::Bernstein(interval.clone())
 }
 
 /// [a, b]

@@ -159,8 +159,11 @@ pub(crate) const TABLE: &[Builtin] = &[
                 let problem = format!("two nodes are needed, the ends of the interval, not {}", data.len());
                 return Err(Diagnostic::error(Code::Shape, problem).at(args.span(0)));
             };
-            let points = hermite_bezier(a, b, left, right).map_err(hermite_error).at(args.span(0))?;
-            let interval = Interval::new(a.clone(), b.clone()).map_err(curve_error).at(args.span(0))?;
+            let interval = Interval::new(a.clone(), b.clone());
+            let interval = interval
+                .map_err(|_| hermite_error(InterpolationError::EqualNodes { first: 0, second: 1 }))
+                .at(args.span(0))?;
+            let points = hermite_bezier(&interval, left, right).map_err(hermite_error).at(args.span(0))?;
             let curve = BezierCurve::new(points, interval).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },

@@ -270,7 +270,7 @@ fn of_spline(args: &Arguments) -> Result<Value> {
     let weights = de_boor_fix(s.knots().label(i), &tau);
     let mut point = vec![Fraction::zero(); s.dimension()];
     for (r, weight) in weights.iter().enumerate() {
-        for (sum, x) in point.iter_mut().zip(piece.derivative(r).value(&tau).iter()) {
+        for (sum, x) in point.iter_mut().zip(piece.nth_derivative(r).value(&tau).iter()) {
             *sum += weight.times(x);
         }
     }

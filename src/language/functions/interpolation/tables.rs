@@ -70,7 +70,7 @@ pub(crate) fn tableau(tableau: &Tableau<Fraction, Datum>, form: Form) -> Table {
                 Scheme::Neville => own[0],
                 Scheme::Aitken => own[k - 1],
             };
-            let (a, b, t) = (&nodes[l], &nodes[own[k]], tableau.at());
+            let (a, b, t) = (&nodes[l], &nodes[own[k]], tableau.parameter());
             let part = |factor: Expr, entry: usize| Term {
                 sign: Sign::Plus,
                 expr: Expr::product(vec![factor, label(k - 1, entry)]),

@@ -94,7 +94,7 @@ proptest! {
         prop_assert_eq!(back.as_ref(), Ok(&patch));
         // the rows alone, through the polar forms of curves
         let row: Vec<Rational> = patch.net[0].iter().map(|p| p[0].clone()).collect();
-        let form = PolarForm::from_bezier_points_over(&row, patch.v.start(), patch.v.end()).unwrap();
+        let form = PolarForm::from_bezier_points_over(&row, &patch.v).unwrap();
         let at_start = patch.blossom(&points(patch.u.start(), m), &v).unwrap();
         prop_assert_eq!(form.value(&v).unwrap(), at_start.coordinates()[0].clone());
     }

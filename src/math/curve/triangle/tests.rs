@@ -76,13 +76,13 @@ proptest! {
     #[test]
     fn pieces_lie_on_the_surface(patch in any_patch(2), other in any_triangle(), p in plane_point()) {
         let value = patch.value(&p).unwrap();
-        let moved = patch.over(other.clone());
+        let moved = patch.part(other.clone());
         prop_assert_eq!(moved.value(&p).unwrap(), value.clone());
-        prop_assert_eq!(moved.over(patch.triangle.clone()), patch.clone());
+        prop_assert_eq!(moved.part(patch.triangle.clone()), patch.clone());
         match patch.subdivide(&other.corners()[2]) {
             Ok(pieces) => for piece in pieces {
                 prop_assert_eq!(piece.value(&p).unwrap(), value.clone());
-                prop_assert_eq!(patch.over(piece.triangle.clone()), piece);
+                prop_assert_eq!(patch.part(piece.triangle.clone()), piece);
             },
             Err(error) => {
                 prop_assert_eq!(error, CurveError::Degenerate);

@@ -234,7 +234,7 @@ fn dependent<C: Field>(
 }
 
 /// How a polynomial is to be fitted.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct FitOptions<C, V = C> {
     /// The basis of the coefficients: powers, or the Bernstein basis over an interval, or any
     /// other. The polynomial does not depend on it.
@@ -245,6 +245,8 @@ pub struct FitOptions<C, V = C> {
     pub conditions: Vec<(C, V)>,
 }
 
+debug_by_fields!(FitOptions<V>: basis, weights, conditions);
+
 impl<C, V> Default for FitOptions<C, V> {
     /// Powers, equal weights, no conditions.
     fn default() -> Self {
@@ -253,7 +255,7 @@ impl<C, V> Default for FitOptions<C, V> {
 }
 
 /// A polynomial fitted to data by least squares.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct PolynomialFit<C, V = C> {
     /// The basis of the coefficients.
     pub basis: Basis<C>,
@@ -263,6 +265,8 @@ pub struct PolynomialFit<C, V = C> {
     pub power: Vec<V>,
 }
 
+debug_by_fields!(PolynomialFit<V>: basis, solution, power);
+
 /// The polynomial of degree at most `degree` with the least Σ w_i |y_i − f(x_i)|².
 ///
 /// Nodes may repeat (several measurements at one place). Cost: that of [`least_squares`].
@@ -270,13 +274,14 @@ pub struct PolynomialFit<C, V = C> {
 /// ```
 /// use polarform::basis::Basis;
 /// use polarform::interpolate::{FitOptions, fit_polynomial};
+/// use polarform::interval::Interval;
 /// use polarform::number::{integer as z, rational as q};
 /// // the straight line closest to 0, 1, 1, 2 at 0, 1, 2, 3
 /// let fit = fit_polynomial(&[0, 1, 2, 3].map(z), &[0, 1, 1, 2].map(z), 1, FitOptions::default())?;
 /// assert_eq!(fit.power, [q(1, 10), q(3, 5)]);
 /// assert_eq!(fit.solution.squared_norm, q(1, 5));
 /// // the same line by its Bézier ordinates over [0, 3]
-/// let options = FitOptions { basis: Basis::Bernstein { a: z(0), b: z(3) }, ..FitOptions::default() };
+/// let options = FitOptions { basis: Basis::Bernstein(Interval::new(z(0), z(3)).unwrap()), ..FitOptions::default() };
 /// let fit = fit_polynomial(&[0, 1, 2, 3].map(z), &[0, 1, 1, 2].map(z), 1, options)?;
 /// assert_eq!(fit.solution.coefficients, [q(1, 10), q(19, 10)]);
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())

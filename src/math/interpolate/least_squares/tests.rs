@@ -1,3 +1,4 @@
+use crate::math::interval::Interval;
 use nalgebra::DMatrix;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
@@ -83,7 +84,7 @@ proptest! {
         let power = power.unwrap();
         prop_assert_eq!(&power.solution.coefficients, &power.power);
         prop_assert_eq!(&power.power, &by_orthogonal_polynomials(&nodes, &values, &weights, degree).padded(degree));
-        let bernstein = fit(Basis::Bernstein { a: other.clone(), b: other + z(3) }).unwrap();
+        let bernstein = fit(Basis::Bernstein(Interval::new(other.clone(), other + z(3)).unwrap())).unwrap();
         prop_assert_eq!(&bernstein.power, &power.power);
         prop_assert_eq!(&bernstein.solution.residuals, &power.solution.residuals);
         for fit in [&power, &bernstein] {
@@ -210,7 +211,7 @@ fn errors_name_the_offender() {
         fit_polynomial(&nodes, &values, 0, options),
         Err(E::TooManyConditions { conditions: 2, unknowns: 1 })
     );
-    let options = FitOptions { basis: Basis::Bernstein { a: z(1), b: z(1) }, ..plain() };
+    let options = FitOptions { basis: Basis::Lagrange(vec![z(1)]), ..plain() };
     assert!(matches!(fit_polynomial(&nodes, &values, 1, options), Err(E::Basis(_))));
     let same = DMatrix::from_row_slice(2, 2, &[1, 2, 2, 4].map(z));
     assert_eq!(least_squares(&same, &values[..2], None), Err(E::DependentColumns { column: 1 }));

@@ -54,8 +54,8 @@ fn check(spline: &CubicSpline<Rational>) {
     let function = spline.to_piecewise().remove(0);
     for (i, (x, y)) in nodes.iter().zip(spline.values()).enumerate() {
         assert_eq!(function.value(x).unwrap(), *y);
-        assert_eq!(function.derivative(1).value(x).unwrap(), spline.slopes()[i]);
-        assert_eq!(function.derivative(2).value(x).unwrap(), spline.moments()[i]);
+        assert_eq!(function.derivative().value(x).unwrap(), spline.slopes()[i]);
+        assert_eq!(function.nth_derivative(2).value(x).unwrap(), spline.moments()[i]);
         if i > 0 && i < n {
             assert!(function.smoothness(i) >= Some(2.min(function.degree())));
         }
@@ -77,7 +77,7 @@ fn check(spline: &CubicSpline<Rational>) {
     let system = spline.system();
     assert_eq!(system.matrix.product(&solution[system.first..]), system.right);
     // ∫ S''² the other way
-    let second = function.derivative(2);
+    let second = function.nth_derivative(2);
     assert_eq!(second.map(|p| p.times(p)).integral(), spline.bending_energy());
 
     let first_piece = |k: usize| horner(&derivative(&spline.power(0), k), &nodes[0]);
@@ -229,7 +229,7 @@ fn checked_with_sympy() {
     let (nodes, values) = ([0, 1, 3, 4, 7, 8].map(z), [0, 1, -2, 3, 3, 1].map(z));
     let spline = CubicSpline::by_moments(&nodes, &values, Ends::not_a_knot()).unwrap();
     let function = spline.to_piecewise().remove(0);
-    let second = function.derivative(2);
+    let second = function.nth_derivative(2);
     for (t, value, bend) in [
         (q(1, 2), q(2941, 2184), q(-1849, 273)),
         (q(5, 2), q(-1849, 728), q(1069, 195)),

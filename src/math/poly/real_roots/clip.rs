@@ -10,6 +10,7 @@
 use num_traits::{Signed, Zero};
 
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, integer, rational};
 use crate::math::poly::Poly;
 
@@ -42,8 +43,8 @@ pub enum ClipOutcome {
 }
 
 impl Poly {
-    /// Bézier clipping of the roots in [a, b] of the square-free part, down to intervals that are not wider than `width`. Each
-    /// interval stands before those that follow from it. Empty if a ≥ b and for constants.
+    /// Bézier clipping of the roots in an interval [a, b] of the square-free part, down to intervals that are not wider than `width`. Each
+    /// interval stands before those that follow from it. Empty if a > b and for constants.
     ///
     /// Cost: n² operations on numbers for each interval.
     ///
@@ -51,24 +52,27 @@ impl Poly {
     /// If the width is not positive.
     ///
     /// ```
-    /// # use polarform::{number::{integer, rational}, poly::{ClipOutcome, Poly}};
+    /// # use polarform::{interval::Interval, number::{integer, rational}, poly::{ClipOutcome, Poly}};
     /// let f = Poly::variable().pow(2) - Poly::from(2);
-    /// let steps = f.clipping(&integer(0), &integer(2), &rational(1, 100));
+    /// let steps = f.clipping(&Interval::new(integer(0), integer(2))?, &rational(1, 100));
     /// // (0, -2), (1/2, -2), (1, 2): the hull meets the axis from 1/2 to 3/4, so for t from 1 to 3/2.
     /// assert_eq!(steps[0].outcome, ClipOutcome::Clipped(integer(1), rational(3, 2)));
     /// assert_eq!(steps.last().unwrap().outcome, ClipOutcome::Root);
+    /// # Ok::<(), polarform::interval::EmptyInterval>(())
     /// ```
-    pub fn clipping(&self, a: &Rational, b: &Rational, width: &Rational) -> Vec<Clip> {
+    pub fn clipping(&self, interval: &Interval<Rational>, width: &Rational) -> Vec<Clip> {
+        let (a, b) = interval.ends();
         assert!(width.is_positive(), "an interval needs a positive width");
         // Not monic: what is simple stays as it is.
         let simple = self.div_exact(&self.gcd(&self.derivative())).unwrap_or_else(Poly::zero);
         let mut steps = Vec::new();
-        if a >= b || simple.degree().is_none_or(|n| n == 0) {
+        if a > b || simple.degree().is_none_or(|n| n == 0) {
             return steps;
         }
         let mut open = vec![(a.clone(), b.clone())];
         while let Some((lower, upper)) = open.pop() {
-            let coefficients = simple.bernstein_coefficients(&lower, &upper);
+            let interval = Interval::new(lower.clone(), upper.clone()).expect("the parts have a width");
+            let coefficients = simple.bernstein_coefficients(&interval);
             budget::charge_terms(coefficients.len() as u64);
             let outcome = outcome(&coefficients, &lower, &upper, width);
             match &outcome {
@@ -161,7 +165,8 @@ mod tests {
             }
             prop_assume!(f.degree() > Some(0));
             let (a, b) = (integer(a), integer(a + w));
-            let steps = f.clipping(&a, &b, &rational(1, 50));
+            let interval = Interval::new(a.clone(), b.clone()).unwrap();
+            let steps = f.clipping(&interval, &rational(1, 50));
             let mut exact: Vec<Rational> = Vec::new();
             let mut inside: Vec<(Rational, Rational)> = Vec::new();
             for step in &steps {
@@ -172,7 +177,7 @@ mod tests {
                 }
             }
             if f.square_free_part().degree() == f.degree() && let Some(first) = steps.first() {
-                prop_assert_eq!(&first.coefficients, &f.bernstein_coefficients(&a, &b));
+                prop_assert_eq!(&first.coefficients, &f.bernstein_coefficients(&interval));
             }
             exact.sort();
             exact.dedup();

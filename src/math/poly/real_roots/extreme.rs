@@ -6,6 +6,7 @@
 use std::cmp::Ordering;
 
 use super::algebraic::{AlgebraicNumber, RealRoot};
+use crate::math::interval::Interval;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
@@ -38,8 +39,10 @@ impl AlgebraicNumber {
         let mut near = self.clone();
         loop {
             let (lower, upper) = near.ends();
+            let isolating =
+                Interval::new(lower.clone(), upper.clone()).expect("an isolating interval has a width");
             let enclosed = |f: &Poly| -> Option<[Rational; 2]> {
-                let list = f.bernstein_coefficients(&lower, &upper);
+                let list = f.bernstein_coefficients(&isolating);
                 Some([list.iter().min()?.clone(), list.iter().max()?.clone()])
             };
             if let (Some(above), Some(below)) = (enclosed(p), enclosed(q))

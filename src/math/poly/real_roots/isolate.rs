@@ -13,6 +13,7 @@ use num_traits::{One, Zero};
 use super::algebraic::{AlgebraicNumber, RealRoot};
 use super::bernstein;
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational};
 use crate::math::poly::Poly;
 use crate::math::poly::factor::coarse_factors;
@@ -143,20 +144,22 @@ impl Poly {
         Some(roots)
     }
 
-    /// How the roots in (a, b) of the square-free part are isolated: the intervals that are looked at, each before
-    /// its halves. Empty if a ≥ b and for constants.
+    /// How the roots in an interval (a, b) of the square-free part are isolated: the intervals that are looked at, each before
+    /// its halves. Empty if a > b and for constants.
     ///
     /// ```
-    /// # use polarform::{number::integer, poly::Poly};
+    /// # use polarform::{interval::Interval, number::integer, poly::Poly};
     /// let t = Poly::variable();
     /// let f = (t.pow(2) - Poly::from(2)) * (&t - Poly::from(3));
-    /// let parts = f.subdivision(&integer(0), &integer(4));
+    /// let parts = f.subdivision(&Interval::new(integer(0), integer(4))?);
     /// let changes: Vec<usize> = parts.iter().map(|part| part.changes).collect();
     /// assert_eq!(changes, [2, 1, 1]);
+    /// # Ok::<(), polarform::interval::EmptyInterval>(())
     /// ```
-    pub fn subdivision(&self, a: &Rational, b: &Rational) -> Vec<Part> {
+    pub fn subdivision(&self, interval: &Interval<Rational>) -> Vec<Part> {
+        let (a, b) = interval.ends();
         let simple = self.square_free_part();
-        if a >= b || simple.degree().is_none_or(|n| n == 0) {
+        if a > b || simple.degree().is_none_or(|n| n == 0) {
             return Vec::new();
         }
         parts(simple.primitive_part().numerators(), a, b)

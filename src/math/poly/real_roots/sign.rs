@@ -15,6 +15,7 @@ use num_traits::{One, Signed, Zero};
 use super::algebraic::RealRoot;
 use super::bernstein;
 use crate::budget;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, binomial, integer};
 use crate::math::poly::Poly;
 
@@ -62,19 +63,6 @@ impl Poly {
         let points = cuts.windows(2).map(|pair| between(pair[0].as_ref(), pair[1].as_ref()));
         let negative = points.filter(|x| self.value(x).is_negative());
         negative.min_by_key(|x| (x.denom().bits().max(x.numer().bits()), x.is_negative()))
-    }
-
-    /// Whether F(t) ≥ 0 for every t in the closed interval [a, b]; true if a > b.
-    ///
-    /// ```
-    /// # use polarform::{number::integer, poly::Poly};
-    /// let f = Poly::variable().pow(2) * (Poly::variable() - Poly::from(3));
-    /// assert!(f.is_nonnegative_on(&integer(3), &integer(9)));
-    /// assert!(!f.is_nonnegative_on(&integer(-1), &integer(1)));
-    /// assert!((-f).is_nonnegative_on(&integer(-1), &integer(3)));
-    /// ```
-    pub fn is_nonnegative_on(&self, a: &Rational, b: &Rational) -> bool {
-        self.negative_point(Some(a), Some(b)).is_none()
     }
 
     /// Why F ≥ 0 on [a, b], where an end that is `None` is none; or a number at which F is negative.
@@ -127,15 +115,18 @@ impl Poly {
         Ok(Positivity { root_of_square: square, rest, below, parts, above })
     }
 
-    /// The Bernstein coefficients over [a, b] for the degree n: F = Σ b_i B_i^n with b_i = Σ_k C(i, k)/C(n, k) c_k for
+    /// The Bernstein coefficients over an interval [a, b] for the degree n: F = Σ b_i B_i^n with b_i = Σ_k C(i, k)/C(n, k) c_k for
     /// F(a + (b − a) s) = Σ c_k s^k; none for 0. Cost: a composition and n²/2 additions.
     ///
     /// ```
-    /// # use polarform::{number::integer, poly::Poly};
+    /// # use polarform::{interval::Interval, number::integer, poly::Poly};
     /// let f = Poly::variable().pow(2);
-    /// assert_eq!(f.bernstein_coefficients(&integer(0), &integer(2)), [integer(0), integer(0), integer(4)]);
+    /// let interval = Interval::new(integer(0), integer(2))?;
+    /// assert_eq!(f.bernstein_coefficients(&interval), [integer(0), integer(0), integer(4)]);
+    /// # Ok::<(), polarform::interval::EmptyInterval>(())
     /// ```
-    pub fn bernstein_coefficients(&self, a: &Rational, b: &Rational) -> Vec<Rational> {
+    pub fn bernstein_coefficients(&self, interval: &Interval<Rational>) -> Vec<Rational> {
+        let (a, b) = interval.ends();
         let Some(n) = self.degree() else { return Vec::new() };
         let local = self.compose(&Poly::from_coefficients(vec![a.clone(), b - a]));
         let share = |k: usize| local.coefficient(k) / Rational::from_integer(binomial(n, k));
@@ -184,7 +175,8 @@ fn nonnegative_parts(g: &Poly, a: &Rational, b: &Rational) -> Vec<(Rational, Rat
             open.push((lower, middle, left));
         } else {
             budget::charge_terms(list.len() as u64);
-            let list = g.bernstein_coefficients(&lower, &upper);
+            let interval = Interval::new(lower.clone(), upper.clone()).expect("the parts have a width");
+            let list = g.bernstein_coefficients(&interval);
             found.push((lower, upper, list));
         }
     }

@@ -10,6 +10,7 @@ use num_integer::Integer;
 use num_traits::Signed;
 
 use super::bernstein;
+use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational};
 use crate::math::poly::{Poly, dense, dense_compose, dense_divide};
 
@@ -75,21 +76,23 @@ impl Poly {
         [self.clone(), self.derivative()].into_iter().chain(rest).collect()
     }
 
-    /// The number of distinct real roots in the half-open interval (a, b]; 0 if a ≥ b.
+    /// The number of distinct real roots in the half-open interval (a, b]; 0 if a > b.
     /// `None` for the zero polynomial, of which every number is a root.
     ///
     /// Cost: a remainder sequence, O(n²) products of integers of up to O(n) times the bits
     /// of the coefficients.
     ///
     /// ```
-    /// # use polarform::{number::integer, poly::Poly};
+    /// # use polarform::{interval::Interval, number::integer, poly::Poly};
     /// let f = Poly::variable().pow(2) - Poly::from(4);
-    /// assert_eq!(f.count_roots(&integer(-2), &integer(2)), Some(1));
-    /// assert_eq!(f.count_roots(&integer(-3), &integer(2)), Some(2));
+    /// assert_eq!(f.count_roots(&Interval::new(integer(-2), integer(2))?), Some(1));
+    /// assert_eq!(f.count_roots(&Interval::new(integer(-3), integer(2))?), Some(2));
+    /// # Ok::<(), polarform::interval::EmptyInterval>(())
     /// ```
-    pub fn count_roots(&self, a: &Rational, b: &Rational) -> Option<usize> {
+    pub fn count_roots(&self, interval: &Interval<Rational>) -> Option<usize> {
+        let (a, b) = interval.ends();
         let degree = self.degree()?;
-        if degree == 0 || a >= b {
+        if degree == 0 || a > b {
             return Some(0);
         }
         let sturm = Sturm::new(&self.square_free_part());
