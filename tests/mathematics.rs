@@ -164,7 +164,7 @@ proptest! {
         p.push(&x + &h);
         q.push(x);
         prop_assert_eq!(form.value(&arguments).unwrap(), form.value(&p).unwrap() - form.value(&q).unwrap());
-        prop_assert_eq!(form.derivative().value(&t[1..]).unwrap(), {
+        prop_assert_eq!(form.nth_derivative(1).value(&t[1..]).unwrap(), {
             let unit: Vec<_> =
                 t[1..].iter().cloned().map(Argument::Point).chain([Argument::Vector(integer(1))]).collect();
             form.value(&unit).unwrap() * integer(n as i64)
@@ -389,7 +389,7 @@ fn degenerate_forms() {
         assert_eq!(form.value(none), Ok(constant.clone()));
         assert_eq!(form.bezier_points(&Interval::unit()), vec![constant.clone()]);
         assert_eq!(form.elevate(4).value(&[1, 2, 3, 4].map(integer)), Ok(constant.clone()));
-        assert_eq!(*form.derivative().diagonal(), *none);
+        assert_eq!(*form.nth_derivative(1).diagonal(), *none);
         for method in Method::ALL {
             assert_eq!(form.derive(method, &integer(3)).form, form, "{method}");
         }

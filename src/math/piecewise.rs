@@ -233,11 +233,6 @@ impl<C: Ring> Piecewise<C> {
         }
     }
 
-    /// The derivative on each piece.
-    pub fn derivative(&self) -> Self {
-        self.nth_derivative(1)
-    }
-
     /// The k-th derivative on each piece.
     pub fn nth_derivative(&self, k: usize) -> Self {
         let pieces = self.pieces.iter().map(|piece| piece.nth_derivative(k));
@@ -455,8 +450,8 @@ mod tests {
         assert_eq!(hat.integral(), z(1));
         assert_eq!(hat.antiderivative().value(&z(2)), Ok(z(1)));
         assert_eq!(hat.antiderivative().smoothness(1), Some(1));
-        assert_eq!(hat.derivative().smoothness(1), None);
-        assert_eq!(hat.antiderivative().derivative().pieces(), hat.pieces());
+        assert_eq!(hat.nth_derivative(1).smoothness(1), None);
+        assert_eq!(hat.antiderivative().nth_derivative(1).pieces(), hat.pieces());
         assert_eq!(hat.antiderivative().value(&z(3)), Err(PiecewiseError::OutsideDomain));
     }
 

@@ -271,11 +271,6 @@ impl<C: Ring> PolarForm<C> {
         Ok(PolarForm::from_weights(self.partial_weights(arguments)))
     }
 
-    /// The polar form of the derivative, see [`PolarForm::nth_derivative`].
-    pub fn derivative(&self) -> Self {
-        self.nth_derivative(1)
-    }
-
     /// The polar form of the k-th derivative, of degree n − k (degree 0 and zero when k > n):
     /// n!/(n−k)! f(t_1, …, t_{n−k}, 1̂, …, 1̂).
     ///

@@ -48,6 +48,7 @@ impl<C: Field + Display> Display for BezierCurve<C> {
 pub(crate) fn weighted<C: Display>(
     f: &mut Formatter<'_>,
     given: Vec<Option<Point<C>>>,
+    weights: &[C],
     vectors: &[Point<C>],
     behind: impl FnOnce(&mut Formatter<'_>) -> Result,
 ) -> Result {
@@ -56,7 +57,7 @@ pub(crate) fn weighted<C: Display>(
             points(f, &finite)?;
             behind(f)?;
             f.write_str(", weights=")?;
-            list(f, vectors, |f, vector| vector.last().map_or(Ok(()), |weight| Display::fmt(weight, f)))
+            list(f, weights, |f, weight| Display::fmt(weight, f))
         }
         None => {
             list(f, vectors, |f, vector| list(f, vector, |f, x| Display::fmt(x, f)))?;
@@ -71,7 +72,9 @@ pub(crate) fn weighted<C: Display>(
 impl<C: Field + Display> Display for RationalCurve<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         f.write_str("bezier(")?;
-        weighted(f, self.points(), self.homogeneous().points(), |f| ends(f, self.interval().ends()))?;
+        weighted(f, self.points(), &self.weights(), self.homogeneous().points(), |f| {
+            ends(f, self.interval().ends())
+        })?;
         f.write_str(")")
     }
 }
@@ -85,6 +88,7 @@ pub(crate) fn net<C: Display>(f: &mut Formatter<'_>, rows: &[Vec<Point<C>>]) -> 
 pub(crate) fn weighted_net<C: Display>(
     f: &mut Formatter<'_>,
     given: Vec<Vec<Option<Point<C>>>>,
+    weights: &[Vec<C>],
     vectors: &[Vec<Point<C>>],
     behind: impl FnOnce(&mut Formatter<'_>) -> Result,
 ) -> Result {
@@ -94,9 +98,7 @@ pub(crate) fn weighted_net<C: Display>(
             net(f, &finite)?;
             behind(f)?;
             f.write_str(", weights=")?;
-            list(f, vectors, |f, row| {
-                list(f, row, |f, vector| vector.last().map_or(Ok(()), |weight| Display::fmt(weight, f)))
-            })
+            list(f, weights, |f, row| list(f, row, |f, weight| Display::fmt(weight, f)))
         }
         None => {
             list(f, vectors, |f, row| list(f, row, |f, vector| list(f, vector, |f, x| Display::fmt(x, f))))?;
@@ -178,7 +180,7 @@ impl<C: Field + Display> Display for RationalPatch<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let patch = self.homogeneous();
         f.write_str("patch(")?;
-        weighted_net(f, self.points(), patch.net(), |f| rectangle(f, patch))?;
+        weighted_net(f, self.points(), &self.weights(), patch.net(), |f| rectangle(f, patch))?;
         f.write_str(")")
     }
 }
@@ -188,7 +190,7 @@ impl<C: Field + Display> Display for RationalTriangle<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let patch = self.homogeneous();
         f.write_str("triangle_patch(")?;
-        weighted(f, self.points(), patch.points(), |f| corners(f, patch))?;
+        weighted(f, self.points(), &self.weights(), patch.points(), |f| corners(f, patch))?;
         f.write_str(")")
     }
 }

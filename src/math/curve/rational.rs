@@ -12,7 +12,6 @@
 
 use super::projective::{check_weight, lifted, parted, projected, quotient_derivatives};
 use super::{BezierCurve, CurveError, Interval, Point, Vector, dimension, polygon};
-use crate::math::blossom::Argument;
 use crate::math::number::exact_root;
 use crate::math::ring::Field;
 
@@ -95,14 +94,6 @@ impl<C: Field> RationalCurve<C> {
         projected(&self.homogeneous.value(t))
     }
 
-    /// The projection of the polar form of the homogeneous curve at n arguments.
-    ///
-    /// # Errors
-    /// [`CurveError::Arguments`], [`CurveError::ZeroDenominator`].
-    pub fn blossom(&self, arguments: &[Argument<C>]) -> Result<Point<C>, CurveError> {
-        projected(self.homogeneous.blossom(arguments)?.coordinates())
-    }
-
     /// The position vector of the curve point and the derivatives up to order k at t. Cost: k polar values, O(k²) products.
     ///
     /// # Errors
@@ -141,33 +132,9 @@ impl<C: Field> RationalCurve<C> {
         RationalCurve { homogeneous: homogeneous.expect("vectors of equal length") }
     }
 
-    /// The parts over [a, t] and [t, b].
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if t is an end.
-    pub fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
-        let (left, right) = self.homogeneous.subdivide(t)?;
-        Ok((RationalCurve { homogeneous: left }, RationalCurve { homogeneous: right }))
-    }
-
-    /// The same curve over another interval.
-    pub fn part(&self, interval: Interval<C>) -> Self {
-        RationalCurve { homogeneous: self.homogeneous.part(interval) }
-    }
-
     /// The same curve of degree n + by.
     pub fn elevate(&self, by: usize) -> Self {
         RationalCurve { homogeneous: self.homogeneous.elevate(by) }
-    }
-
-    /// The same homogeneous curve of degree n − by, exactly.
-    ///
-    /// A common factor of numerator and denominator is not looked for.
-    ///
-    /// # Errors
-    /// [`CurveError::NotReducible`].
-    pub fn reduce(&self, by: usize) -> Result<Self, CurveError> {
-        Ok(RationalCurve { homogeneous: self.homogeneous.reduce(by)? })
     }
 
     /// The same curve with weights w_i λ^i: the change of parameter s ↦ λ s / ((1 − s) + λ s) of
@@ -292,6 +259,7 @@ impl<C: Field> RationalCurve<C> {
 pub(super) mod tests {
     use super::*;
     use crate::math::basis::bernstein_all;
+    use crate::math::curve::Curve;
     use crate::math::curve::combination;
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -329,11 +297,10 @@ pub(super) mod tests {
             let expected = (combination(2, terms.iter().zip(&points)) * &(z(1) / denominator)).from_origin();
             prop_assert_eq!(value.as_ref(), Ok(&expected));
             prop_assert_eq!(&curve.elevate(by).value(&t), &value);
-            prop_assert_eq!(&curve.elevate(by).reduce(by).unwrap(), &curve);
             if let Ok((left, right)) = curve.subdivide(&q(1, 7)) {
                 prop_assert_eq!(&left.value(&t), &value);
                 prop_assert_eq!(&right.value(&t), &value);
-                prop_assert_eq!(&curve.part(right.interval().clone()), &right);
+                prop_assert_eq!(&curve.part(right.interval().clone()).unwrap(), &right);
             }
         }
 

@@ -8,12 +8,11 @@
 //! References: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002), chapters 16 and 17;
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), section 4.5.
 
-use super::domain::{Corner, Triangle};
-use super::patch::{Direction, Side, TensorPatch, minus};
+use super::domain::Triangle;
+use super::patch::{Direction, TensorPatch, minus};
 use super::projective::{check_weight, lifted, lifted_net, parted, projected, quotient_derivatives};
-use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
-use super::{BezierCurve, CurveError, Point, Vector, polygon};
+use super::{CurveError, Point, Vector, polygon};
 use crate::budget;
 use crate::math::interval::Interval;
 use crate::math::ring::{Field, Ring};
@@ -66,11 +65,6 @@ impl<C: Field> RationalPatch<C> {
     /// The polynomial patch with the weight as its last coordinate.
     pub fn homogeneous(&self) -> &TensorPatch<C> {
         &self.homogeneous
-    }
-
-    /// (m, n)
-    pub fn degrees(&self) -> (usize, usize) {
-        self.homogeneous.degrees()
     }
 
     /// The number of coordinates, without the weight.
@@ -158,22 +152,6 @@ impl<C: Field> RationalPatch<C> {
         let (left, right) = self.homogeneous.subdivide(direction, t)?;
         Ok((RationalPatch { homogeneous: left }, RationalPatch { homogeneous: right }))
     }
-
-    /// The same surface over another rectangle.
-    pub fn part(&self, u: Interval<C>, v: Interval<C>) -> Self {
-        RationalPatch { homogeneous: self.homogeneous.part(u, v) }
-    }
-
-    /// The same surface of degree (m + by_u, n + by_v).
-    pub fn elevate(&self, by_u: usize, by_v: usize) -> Self {
-        RationalPatch { homogeneous: self.homogeneous.elevate(by_u, by_v) }
-    }
-
-    /// A boundary curve.
-    pub fn boundary_curve(&self, side: Side) -> RationalCurve<C> {
-        RationalCurve::from_homogeneous(self.homogeneous.boundary_curve(side))
-            .expect("the patch has a weight, so its boundary has one")
-    }
 }
 
 /// A rational triangular patch.
@@ -221,11 +199,6 @@ impl<C: Field> RationalTriangle<C> {
         &self.homogeneous
     }
 
-    /// The degree n.
-    pub fn degree(&self) -> usize {
-        self.homogeneous.degree()
-    }
-
     /// The number of coordinates, without the weight.
     pub fn dimension(&self) -> usize {
         self.homogeneous.dimension() - 1
@@ -271,31 +244,6 @@ impl<C: Field> RationalTriangle<C> {
         let jet = self.derivatives(p, 1)?;
         Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).into())
     }
-
-    /// The three patches over (p, b, c), (a, p, c) and (a, b, p).
-    ///
-    /// # Errors
-    /// As for [`TrianglePatch::subdivide`].
-    pub fn subdivide(&self, p: &[C]) -> Result<[Self; 3], CurveError> {
-        Ok(self.homogeneous.subdivide(p)?.map(|homogeneous| RationalTriangle { homogeneous }))
-    }
-
-    /// The same surface over another triangle.
-    pub fn part(&self, triangle: Triangle<C>) -> Self {
-        RationalTriangle { homogeneous: self.homogeneous.part(triangle) }
-    }
-
-    /// The same surface of degree n + by.
-    pub fn elevate(&self, by: usize) -> Self {
-        RationalTriangle { homogeneous: self.homogeneous.elevate(by) }
-    }
-
-    /// The edge opposite to a corner, over [0, 1].
-    pub fn boundary_curve(&self, opposite: Corner) -> RationalCurve<C> {
-        let curve = BezierCurve::new(self.homogeneous.boundary(opposite), Interval::unit());
-        let curve = curve.expect("points of equal dimension over [0, 1]");
-        RationalCurve::from_homogeneous(curve).expect("the patch has a weight, so its boundary has one")
-    }
 }
 
 fn three(dimension: usize) -> Result<(), CurveError> {
@@ -316,6 +264,7 @@ fn added<C: Ring>(f: &[Vec<C>], g: &[Vec<C>]) -> Vec<Vec<C>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::curve::Surface;
     use crate::math::curve::{indices, patch, triangle};
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{MultiPoly, Symbol};
@@ -389,7 +338,7 @@ mod tests {
                 let weight = num_traits::pow(vector[3].clone(), 3);
                 prop_assert_eq!(&*(normal * &weight), &plane[..3]);
             }
-            let (m, n) = patch.degrees();
+            let (m, n) = patch.homogeneous().degrees();
             if m > 0 && n > 0 {
                 prop_assert_eq!(planes.degrees(), (3 * m - 1, 3 * n - 1));
             }
@@ -400,14 +349,13 @@ mod tests {
             let (u, v) = (z(u), q(v, 2));
             let patch = RationalPatch::from_homogeneous(homogeneous).unwrap();
             let value = patch.value(&u, &v);
-            prop_assert_eq!(&patch.elevate(1, 2).value(&u, &v), &value);
-            prop_assert_eq!(&patch.part(Interval::unit(), Interval::unit()).value(&u, &v), &value);
+            prop_assert_eq!(&Surface::elevate(&patch, 2).unwrap().value(&u, &v), &value);
+            let unit = patch.part((Interval::unit(), Interval::unit())).unwrap();
+            prop_assert_eq!(&unit.value(&u, &v), &value);
             if let Ok((left, right)) = patch.subdivide(Direction::U, &q(2, 5)) {
                 prop_assert_eq!(&left.value(&u, &v), &value);
                 prop_assert_eq!(&right.value(&u, &v), &value);
             }
-            let end = patch.homogeneous.u().end();
-            prop_assert_eq!(patch.boundary_curve(Side::UEnd).value(&v), patch.value(end, &v));
         }
 
         #[test]
@@ -419,13 +367,12 @@ mod tests {
             prop_assert_eq!(patch.value(&p), tensor.value(&p[0], &p[1]));
             prop_assert_eq!(patch.derivatives(&p, 2), tensor.derivatives(&p[0], &p[1], 2));
             prop_assert_eq!(patch.normal_at(&p), tensor.normal_at(&p[0], &p[1]));
-            prop_assert_eq!(patch.elevate(2).value(&p), patch.value(&p));
-            prop_assert_eq!(patch.part(Triangle::unit()).value(&p), patch.value(&p));
+            prop_assert_eq!(patch.elevate(2).unwrap().value(&p), patch.value(&p));
+            prop_assert_eq!(patch.part(Triangle::unit()).unwrap().value(&p), patch.value(&p));
             let corners = patch.homogeneous.triangle().corners();
             let middle = crate::math::curve::lerp(&corners[0], &corners[1], &q(1, 2));
-            prop_assert_eq!(patch.boundary_curve(Corner::C).value(&q(1, 2)), patch.value(&middle));
             let inner = crate::math::curve::lerp(&corners[2], &middle, &q(1, 2));
-            for piece in patch.subdivide(&inner).unwrap() {
+            for piece in patch.subdivide(&[inner[0].clone(), inner[1].clone()]).unwrap() {
                 prop_assert_eq!(piece.value(&p), patch.value(&p));
             }
         }

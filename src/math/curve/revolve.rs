@@ -86,7 +86,7 @@ mod tests {
                 prop_assert_eq!(x * x + y * y, &point[0] * &point[0]);
                 prop_assert_eq!(height, &point[1]);
             }
-            prop_assert_eq!(patches[0].degrees(), (2, profile.degree()));
+            prop_assert_eq!(patches[0].homogeneous().degrees(), (2, profile.degree()));
             for (patch, next) in patches[..4].iter().zip(patches[..4].iter().cycle().skip(1)) {
                 let (end, start) = (patch.homogeneous().u().end(), next.homogeneous().u().start());
                 prop_assert_eq!(patch.value(end, &v), next.value(start, &v));

@@ -170,8 +170,8 @@ mod tests {
         }
         // the edges lie in the coordinate planes
         for (corner, k) in [(Corner::A, 2), (Corner::B, 0), (Corner::C, 1)] {
-            let edge = octant.boundary_curve(corner);
-            assert!(edge.homogeneous().points().iter().all(|vector| vector[k] == z(0)));
+            let edge = octant.homogeneous().boundary(corner);
+            assert!(edge.iter().all(|vector| vector[k] == z(0)));
         }
     }
 

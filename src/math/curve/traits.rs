@@ -21,7 +21,7 @@ use crate::math::ring::Field;
 ///     let (a, b) = curve.interval().ends();
 ///     let t = a.plus(b).scaled(&q(1, 2));
 ///     let (left, right) = curve.subdivide(&t)?;
-///     assert_eq!(left.value(&t)?, right.value(&t)?);
+///     assert!(left.value(&t)? == right.value(&t)?);
 ///     Ok(left.value(&t)?[0].clone())
 /// }
 /// let points = || [0, 1, 4].map(|x| vec![z(x)]).to_vec();
@@ -125,7 +125,7 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
         self.value(t)
     }
     fn blossom(&self, _: &C, arguments: &[Argument<C>]) -> Result<PolarValue<C>, CurveError> {
-        self.blossom(arguments).map(Argument::Point)
+        projected(self.homogeneous().blossom(arguments)?.coordinates()).map(Argument::Point)
     }
     fn derivative(&self) -> Result<Self, CurveError> {
         Ok(self.derivative())
@@ -134,10 +134,11 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
         Ok(self.elevate(by))
     }
     fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
-        self.subdivide(t)
+        let (left, right) = self.homogeneous().subdivide(t)?;
+        Ok((RationalCurve::from_homogeneous(left)?, RationalCurve::from_homogeneous(right)?))
     }
     fn part(&self, interval: Interval<C>) -> Result<Self, CurveError> {
-        Ok(self.part(interval))
+        RationalCurve::from_homogeneous(self.homogeneous().part(interval))
     }
 }
 
@@ -249,13 +250,13 @@ impl<C: Field> Surface<C> for RationalPatch<C> {
         Ok(self.derivatives(u, v, r + s)?.swap_remove(r).swap_remove(s))
     }
     fn elevate(&self, by: usize) -> Result<Self, CurveError> {
-        Ok(self.elevate(by, by))
+        RationalPatch::from_homogeneous(self.homogeneous().elevate(by, by))
     }
     fn subdivide(&self, [u, v]: &[C; 2]) -> Result<Vec<Self>, CurveError> {
         quartered(self, Self::subdivide, u, v)
     }
     fn part(&self, (u, v): Self::Domain) -> Result<Self, CurveError> {
-        Ok(self.part(u, v))
+        RationalPatch::from_homogeneous(self.homogeneous().part(u, v))
     }
 }
 
@@ -303,13 +304,13 @@ impl<C: Field> Surface<C> for RationalTriangle<C> {
         Ok(self.derivatives(p, r + s)?.swap_remove(r).swap_remove(s))
     }
     fn elevate(&self, by: usize) -> Result<Self, CurveError> {
-        Ok(self.elevate(by))
+        RationalTriangle::from_homogeneous(self.homogeneous().elevate(by))
     }
     fn subdivide(&self, p: &[C; 2]) -> Result<Vec<Self>, CurveError> {
-        self.subdivide(p).map(Vec::from)
+        self.homogeneous().subdivide(p)?.into_iter().map(RationalTriangle::from_homogeneous).collect()
     }
     fn part(&self, domain: Triangle<C>) -> Result<Self, CurveError> {
-        Ok(self.part(domain))
+        RationalTriangle::from_homogeneous(self.homogeneous().part(domain))
     }
 }
 

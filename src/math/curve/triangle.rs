@@ -111,11 +111,6 @@ impl<C: Field> TrianglePatch<C> {
         &self.points
     }
 
-    /// The control point f(a^i, b^j, c^k), if i + j + k = n.
-    pub fn point(&self, [i, j, k]: [usize; 3]) -> Option<&Point<C>> {
-        (i + j + k == self.degree).then(|| &self.points[place(j, k)])
-    }
-
     /// The degree n.
     pub fn degree(&self) -> usize {
         self.degree

@@ -32,7 +32,7 @@ impl<C: Field + Display> Display for RationalSpline<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let spline = self.homogeneous();
         opened(f, spline.knots())?;
-        display::weighted(f, self.points(), spline.points(), |_| Ok(()))?;
+        display::weighted(f, self.points(), &self.weights(), spline.points(), |_| Ok(()))?;
         f.write_str(")")
     }
 }
@@ -57,7 +57,7 @@ impl<C: Field + Display> Display for RationalSplineSurface<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let surface = self.homogeneous();
         opened_surface(f, surface)?;
-        display::weighted_net(f, self.points(), surface.net(), |_| Ok(()))?;
+        display::weighted_net(f, self.points(), &self.weights(), surface.net(), |_| Ok(()))?;
         f.write_str(")")
     }
 }

@@ -76,11 +76,6 @@ impl<C: Field> RationalSpline<C> {
         self.homogeneous.points().iter().map(|vector| projected(vector).ok()).collect()
     }
 
-    /// The number of coordinates, without the weight.
-    pub fn dimension(&self) -> usize {
-        self.homogeneous.dimension() - 1
-    }
-
     /// The curve point at t.
     ///
     /// # Errors
@@ -135,7 +130,7 @@ impl<C: Field> Curve<C> for RationalSpline<C> {
         self.homogeneous.degree()
     }
     fn dimension(&self) -> usize {
-        self.dimension()
+        self.homogeneous.dimension() - 1
     }
     fn interval(&self) -> &Interval<C> {
         self.homogeneous.interval()

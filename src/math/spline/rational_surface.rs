@@ -83,11 +83,6 @@ impl<C: Field> RationalSplineSurface<C> {
         self.homogeneous.net().iter().map(points).collect()
     }
 
-    /// The number of coordinates, without the weight.
-    pub fn dimension(&self) -> usize {
-        self.homogeneous.dimension() - 1
-    }
-
     /// The surface point at (u, v).
     ///
     /// # Errors
@@ -106,12 +101,6 @@ impl<C: Field> RationalSplineSurface<C> {
         Ok(RationalPatch::from_homogeneous(patch)?.derivatives(u, v, k)?)
     }
 
-    /// The rational Bézier patches of all pairs of knot intervals, by rows in u.
-    pub fn patches(&self) -> Vec<Vec<RationalPatch<C>>> {
-        let patch = |patch| RationalPatch::from_homogeneous(patch).expect("the surface has a weight");
-        self.homogeneous.patches().into_iter().map(|row| row.into_iter().map(patch).collect()).collect()
-    }
-
     /// The two surfaces on both sides of u = t, or of v = t.
     ///
     /// # Errors
@@ -127,7 +116,7 @@ impl<C: Field> Surface<C> for RationalSplineSurface<C> {
     type Arguments = (Vec<Argument<C>>, Vec<Argument<C>>);
     type Error = SplineError;
     fn dimension(&self) -> usize {
-        self.dimension()
+        self.homogeneous.dimension() - 1
     }
     fn value(&self, [u, v]: &[C; 2]) -> Result<Point<C>, SplineError> {
         self.value(u, v)
@@ -213,8 +202,6 @@ mod tests {
             } else {
                 prop_assert_eq!(Surface::subdivide(&s, &p), Err(CurveError::EmptyInterval.into()));
             }
-            let row = usize::from(p[0] >= z(1));
-            prop_assert_eq!(s.patches()[row][0].value(&p[0], &p[1]).unwrap(), expected);
         }
     }
 
