@@ -91,11 +91,6 @@ impl<C: Ring> Interval<C> {
         self.b.minus(&self.a)
     }
 
-    /// [b, a]
-    pub fn reversed(&self) -> Self {
-        Interval { a: self.b.clone(), b: self.a.clone(), inverse: -self.inverse.clone() }
-    }
-
     /// [a + by, b + by]
     pub fn moved(&self, by: &C) -> Self {
         Interval { a: self.a.plus(by), b: self.b.plus(by), inverse: self.inverse.clone() }
@@ -141,6 +136,5 @@ mod tests {
             [false, true, true, true, false]
         );
         assert_eq!(format!("{backwards} {backwards:?}"), "[3, 1] Interval([3, 1])");
-        assert_eq!(backwards.reversed(), Interval::new(z(1), z(3)).unwrap());
     }
 }

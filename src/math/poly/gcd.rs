@@ -122,15 +122,6 @@ impl MultiPoly {
             euclid(&a, &b, main.unwrap_or(&vars[0]))
         })
     }
-
-    /// The least common multiple, primitive with positive leading coefficient.
-    pub fn lcm(&self, other: &MultiPoly) -> MultiPoly {
-        let g = self.gcd(other);
-        match self.div_exact(&g) {
-            Some(cofactor) => cofactor.times(other).primitive_part(),
-            None => MultiPoly::zero(),
-        }
-    }
 }
 
 /// gcd when one of the two is a monomial with coefficient 1.

@@ -510,20 +510,6 @@ impl MultiPoly {
         MultiPoly::from_sorted(self.vars.clone(), terms, self.den.clone())
     }
 
-    /// The antiderivative in `symbol` without constant.
-    pub fn antiderivative(&self, symbol: &Symbol) -> Self {
-        let coefficients = self.coefficients_in(symbol);
-        let shifted: Vec<MultiPoly> = std::iter::once(MultiPoly::zero())
-            .chain(
-                coefficients
-                    .iter()
-                    .enumerate()
-                    .map(|(k, c)| c.scaled(&Rational::new(Int::ONE, Int::from(k + 1)))),
-            )
-            .collect();
-        MultiPoly::from_coefficients_in(symbol, &shifted)
-    }
-
     /// The integers over the common denominator.
     fn coefficients(&self) -> impl Iterator<Item = &Int> {
         self.terms.iter().map(|(_, c)| c)

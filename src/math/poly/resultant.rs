@@ -41,21 +41,6 @@ impl Poly {
         let den = self.denominator().pow(n as u32) * other.denominator().pow(m as u32);
         Rational::new(value, den)
     }
-
-    /// (−1)^{n(n−1)/2} Res(F, F')/a_n = a_n^{2n−2} ∏_{i<j} (α_i − α_j)² for the degree n; `None` for constants.
-    ///
-    /// ```
-    /// # use polarform::{number::integer, poly::Poly};
-    /// let t = Poly::variable();
-    /// let f = Poly::from(2) * t.pow(2) + Poly::from(3) * &t - Poly::from(1);
-    /// assert_eq!(f.discriminant(), Some(integer(3 * 3 + 4 * 2)));
-    /// assert_eq!(Poly::from(5).discriminant(), None);
-    /// ```
-    pub fn discriminant(&self) -> Option<Rational> {
-        let n = self.degree().filter(|n| *n > 0)?;
-        let value = self.resultant(&self.derivative()) / self.leading_coefficient();
-        Some(if sign_turns(n) { -value } else { value })
-    }
 }
 
 /// Whether n(n − 1)/2 is odd.
@@ -88,7 +73,8 @@ impl MultiPoly {
         if values > MANY_VALUES { by_subresultants(f, g) } else { by_values(&f, &g, &bounds) }
     }
 
-    /// (−1)^{n(n−1)/2} Res(F, F')/a_n in one variable, of degree n in it; `None` if n = 0.
+    /// (−1)^{n(n−1)/2} Res(F, F')/a_n = a_n^{2n−2} ∏_{i<j} (α_i − α_j)² in one variable, of degree n in it;
+    /// `None` if n = 0.
     ///
     /// ```
     /// use polarform::poly::{MultiPoly, Symbol};
@@ -387,7 +373,11 @@ mod tests {
                     expected *= (a - b).powered(2);
                 }
             }
-            prop_assert_eq!(f.scale(&integer(lead)).discriminant(), Some(expected));
+            let t = Symbol::new("t");
+            let list: Vec<MultiPoly> =
+                f.scale(&integer(lead)).coefficients().into_iter().map(MultiPoly::constant).collect();
+            let f = MultiPoly::from_coefficients_in(&t, &list);
+            prop_assert_eq!(f.discriminant(&t), Some(MultiPoly::constant(expected)));
         }
     }
 
@@ -405,8 +395,8 @@ mod tests {
             assert_eq!(general(n).discriminant(&t).unwrap().len(), terms, "degree {n}");
         }
         assert_eq!(symbol("x").discriminant(&t), None);
-        assert_eq!(Poly::zero().discriminant(), None);
-        assert_eq!(Poly::variable().discriminant(), Some(integer(1)));
+        assert_eq!(MultiPoly::zero().discriminant(&t), None);
+        assert_eq!(symbol("t").discriminant(&t).unwrap().to_string(), "1");
     }
 
     #[test]

@@ -430,19 +430,6 @@ impl Poly {
         Poly::reduced(num, den.clone(), &den)
     }
 
-    /// t^n F(1/t) with n the degree: the coefficients in reverse order.
-    ///
-    /// ```
-    /// # use polarform::{number::integer, poly::Poly};
-    /// let f = Poly::from_coefficients(vec![integer(0), integer(2), integer(3)]);
-    /// assert_eq!(f.reverse().to_string(), "2 t + 3");
-    /// ```
-    pub fn reverse(&self) -> Poly {
-        let mut num: Vec<Int> = self.num.iter().rev().cloned().collect();
-        dense::trim(&mut num);
-        Poly { num, den: self.den.clone() }
-    }
-
     /// The positive rational c for which self / c has coprime integer coefficients; 0 for 0.
     ///
     /// ```

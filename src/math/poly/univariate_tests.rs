@@ -139,14 +139,6 @@ proptest! {
     }
 
     #[test]
-    fn reversal(f in any_poly(), x in any_rational()) {
-        let reversed = canonical(f.reverse());
-        if let Some(n) = f.degree() && !x.is_zero() {
-            prop_assert_eq!(reversed.value(&x), f.value(&x.recip()) * x.powered(n as u32));
-        }
-    }
-
-    #[test]
     fn division(f in any_poly(), g in any_poly()) {
         match f.div_rem(&g) {
             None => prop_assert!(g.is_zero()),
@@ -241,7 +233,6 @@ fn zero_in_every_role() {
         zero.antiderivative(),
         zero.compose(&one),
         zero.shift(&x),
-        zero.reverse(),
         zero.primitive_part(),
         zero.leading_monic(),
         zero.square_free_part(),

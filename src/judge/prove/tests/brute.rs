@@ -7,7 +7,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel, Sign};
 use crate::math::number::{Rational, binomial, factorial, integer};
-use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 
 /// Values of the integers.
@@ -104,7 +104,8 @@ pub fn value(expr: &Expr, values: &Values) -> Option<Fraction> {
             if f.denominator().variables().contains(&t) {
                 return None;
             }
-            let whole = f.numerator().antiderivative(&t);
+            let whole = Coefficients::new(f.numerator().coefficients_in(&t)).antiderivative();
+            let whole = MultiPoly::from_coefficients_in(&t, &whole);
             let whole = Fraction::new(whole, f.denominator().clone()).ok()?;
             let at = |end: &Expr| whole.substitute(&[(t.clone(), value(end, values)?)]).ok();
             Some(at(to)?.minus(&at(from)?))
