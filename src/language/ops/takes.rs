@@ -168,11 +168,6 @@ impl Takes {
         }
     }
 
-    /// Whether one of them is meant.
-    pub fn includes(self, kind: Takes) -> bool {
-        self == kind || matches!(self, Takes::OneOf(kinds) if kinds.contains(&kind))
-    }
-
     /// What is expected, in words.
     pub fn description(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {
