@@ -70,7 +70,7 @@ pub fn sphere_octant<C: Field>(centre: &[C], radius: &C) -> Result<RationalPatch
 /// use polarform::curve::{Triangle, sphere_octant_triangle};
 /// use polarform::number::{integer as z, rational as q};
 /// let octant = sphere_octant_triangle(&[z(0), z(0), z(0)], &z(1), Triangle::unit())?;
-/// assert_eq!(octant.degree(), 4);
+/// assert_eq!(octant.homogeneous().degree(), 4);
 /// let point = octant.value(&[q(1, 4), q(1, 2)])?;
 /// assert_eq!(point.iter().map(|x| x * x).sum::<polarform::number::Rational>(), z(1));
 /// # Ok::<(), polarform::curve::CurveError>(())
