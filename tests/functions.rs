@@ -322,6 +322,72 @@ fn another_kind_is_an_error_at_the_argument() {
     assert!(count > 200, "{count}");
 }
 
+/// Values of all kinds, for any place of any function.
+const SAMPLES: &[&str] = &[
+    "0",
+    "2",
+    "-1/2",
+    "t^2 - 2",
+    "u v + 1",
+    "1/(t + 1)",
+    "a",
+    "hat(1)",
+    "root_of(t^2 - 2, 1, 2)",
+    "polar(t^3)",
+    "polar_tensor(u v, u, v)",
+    "polar_total(u v, [u, v])",
+    "(x -> x^2)",
+    "[]",
+    "[0, 1, 3]",
+    "[a, b, c]",
+    "[t, t^2]",
+    "[[0, 0], [1, 2], [2, 0]]",
+    "[[0, 0, 0], [1, 2, 1], [2, 0, 1]]",
+    "[1, 2; 3, 4]",
+    "transpose([1, 2, 3])",
+    "bezier([0, 1, 4])",
+    "bezier([[0, 0], [1, 2], [2, 0]], weights=[1, 2, 1])",
+    "bspline(2, [0, 0, 0, 1, 2, 2, 2], [[0, 0], [1, 2], [3, 2], [4, 0]])",
+    "bspline(1, [0, 0, 1, 1], [1, 3], weights=[1, 2])",
+    "bspline_basis(1, [0, 1, 2], 0)",
+    "cubic_spline([0, 1, 2], [[0, 0], [1, 1], [2, 0]])",
+    "patch([[0, 1], [2, 5]])",
+    "sphere_octant([0, 0, 0], 1)",
+    "triangle_patch([[0, 0, 0], [1, 0, 1], [0, 1, 2]])",
+    "sphere_octant([0, 0, 0], 1, form=triangle)",
+    "spline_surface(1, [0, 0, 1, 1], 1, [0, 0, 1, 1], [[0, 1], [2, 5]])",
+    "[bezier([0, 1]), bezier([1, 3], 1, 2)]",
+    "divided_differences([0, 1], [1, 3])",
+    "(t = 2)",
+    "\"words\"",
+];
+
+/// What comes of any value in any place is what the table says, or an error that is no defect.
+#[test]
+fn any_value_in_any_place_is_taken_or_refused() {
+    let mut defects = Vec::new();
+    let mut taken = 0;
+    for (function, call) in all() {
+        for i in 0..call.arguments.len() {
+            for sample in SAMPLES {
+                let mut arguments = call.arguments.clone();
+                arguments[i] = match arguments[i].split_once('=') {
+                    Some((name, _)) if is_named(&arguments[i], function) => format!("{name}={sample}"),
+                    _ => (*sample).to_owned(),
+                };
+                let text = call.with(&arguments, i).0;
+                match value(&text) {
+                    Err(error) if error.code == Code::Internal => defects.push(text),
+                    Err(_) => {}
+                    Ok(_) => taken += 1,
+                }
+            }
+        }
+    }
+    assert!(defects.is_empty(), "{}", defects.join("\n"));
+    assert!(taken > 2000, "{taken}");
+}
+
 #[test]
 fn places_and_names_mix() {
     let same = |left: &str, right: &str| assert_eq!(value(left), value(right), "{left}");

@@ -98,7 +98,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "expand",
         parameters: &[required("F", Takes::Any, "the formula")],
         summary: "the formula multiplied out",
-        gives: Gives::Scalar,
+        gives: Gives::Any,
         example: "expand((t - a)(t - b))",
         call: |_, args| {
             let value = args.value(0)?.clone();
@@ -128,7 +128,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "simplify",
         parameters: &[required("F", Takes::Any, "the formula")],
         summary: "the formula in lowest terms, grouped (every answer is written that way)",
-        gives: Gives::Scalar,
+        gives: Gives::Any,
         example: "simplify((t^2 - 1)/(t - 1))",
         call: |_, args| Ok(args.value(0)?.clone()),
         ..NEW
@@ -140,7 +140,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("variable", Takes::Variable, "the only variable, or t", "its variable").shown("t"),
         ],
         summary: "the polynomial by descending powers of its variable, with their coefficients",
-        gives: Gives::Scalar,
+        gives: Gives::Any,
         example: "collect(a x + b x + c, x)",
         call: |_, args| {
             let given = args.optional_symbol(1)?;

@@ -68,7 +68,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "double_points",
         parameters: &[PLANE_CURVE, POINTS],
         summary: "the pairs of real parameters s <= t of one point of a plane curve; s = t at a cusp",
-        gives: Gives::Table,
+        gives: Gives::Any,
         example: "double_points([t^2, t^3 - t])",
         call: |machine, args| {
             let curve = plane_curve(args, 0)?;

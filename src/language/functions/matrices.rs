@@ -150,7 +150,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "null_space",
         parameters: &[MATRIX],
         summary: "a basis of the x with M x = 0, as columns",
-        gives: Gives::Matrix,
+        gives: Gives::Any,
         example: "null_space([1, 2; 2, 4])",
         call: |machine, args| {
             let basis = linalg::null_space(&args.matrix(0)?);

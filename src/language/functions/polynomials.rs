@@ -32,7 +32,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "degree",
         parameters: &[required("F", Takes::Polynomial, "the polynomial or polar form"), LETTER],
         summary: "the degree of a polynomial in its variable, or of a polar form",
-        gives: Gives::Count,
+        gives: Gives::Any,
         example: "degree(t^3 + 1)",
         on_curve: on_geometry::DEGREE,
         on_surface: on_surface::DEGREE,

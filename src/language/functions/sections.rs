@@ -38,7 +38,7 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
         .shown("d"),
     ],
     summary: "the polynomial in u and v that is 0 where a surface meets F(x, y, z) = 0 or another",
-    gives: Gives::Scalar,
+    gives: Gives::Any,
     example: "intersection_curve([u, v, u v], x + y - z)",
     call: |_, args| intersection_curve(args),
     ..Builtin::about("Intersections")

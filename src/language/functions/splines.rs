@@ -424,7 +424,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "pieces",
         parameters: &[required("spline", Takes::Spline, "the spline or piecewise polynomial").shown("s")],
         summary: "the Bézier curves of a spline, or the polynomials of a piecewise one",
-        gives: Gives::Curves,
+        gives: Gives::List,
         example: "pieces(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]))",
         on_surface: on_surface::PIECES,
         call: |_, args| {

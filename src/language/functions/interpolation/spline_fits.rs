@@ -134,7 +134,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         name: "bernstein_approximation",
         parameters: &[FUNCTION, DEGREE, START, END],
         summary: "Bernstein's operator: the sum of F(a + i (b - a)/n) B_i^n over [a, b], or [0, 1]",
-        gives: Gives::Function,
+        gives: Gives::Any,
         example: "bernstein_approximation(t^2, 3)",
         call: |_, args| {
             let (functions, form) = functions(args)?;
