@@ -109,7 +109,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "factor",
-        parameters: &[required("F", Takes::Scalar, "the polynomial or rational function, or an integer")],
+        parameters: &[required("F", Takes::Formula, "the polynomial or rational function, or an integer")],
         summary: "the irreducible factors over Q, of a number the primes",
         gives: Gives::Scalar,
         example: "factor(2 t^4 - 8 t^2)",

@@ -46,7 +46,11 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
 const NEW: Builtin = Builtin { subject_of: Some("derive"), common: &[LANG], ..ABOUT };
 
 /// A polynomial, or the coordinates of a curve.
-const POLYNOMIALS: Parameter = required("F", Takes::Coordinates, "the polynomial; a list for a curve");
+const CURVE_OR_POLYNOMIAL: Parameter =
+    required("F", Takes::OneOf(&[Takes::Polynomial, Takes::Curve]), "the polynomial or Bézier curve");
+
+const POLYNOMIALS: Parameter =
+    required("F", Takes::OneOf(&[Takes::Coordinates, Takes::Geometry]), "the polynomial; a list for a curve");
 
 const POLYNOMIAL: Parameter = required("F", Takes::Polynomial, "a polynomial or polar form");
 
@@ -96,7 +100,7 @@ const SUBJECTS: &[Builtin] = &[
     },
     Builtin {
         name: "derivative",
-        parameters: &[POLYNOMIAL, optional("k", Takes::Size, "1", "how often")],
+        parameters: &[CURVE_OR_POLYNOMIAL, optional("k", Takes::Size, "1", "how often")],
         summary: "the k-th derivative by vector arguments",
         example: "derive(derivative, t^3, 1)",
         call: |machine, args| {

@@ -192,7 +192,7 @@ pub(super) const CONVERSIONS: &[Builtin] = &[
         parameters: &[
             required(
                 "c",
-                Takes::OneOf(&[Takes::Geometry, Takes::List]),
+                Takes::OneOf(&[Takes::Curve, Takes::List]),
                 "the curve, spline or piecewise polynomial",
             ),
             required("to", Takes::OneOf(&[Takes::Word(FORMS), BASIS]), "the representation"),

@@ -134,12 +134,12 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[
             required(
                 "a",
-                Takes::OneOf(&[Takes::Point, Takes::Matrix]),
+                Takes::OneOf(&[Takes::List, Takes::Matrix]),
                 "a point, a matrix or the list of its rows",
             ),
             required(
                 "b",
-                Takes::OneOf(&[Takes::Point, Takes::Matrix]),
+                Takes::OneOf(&[Takes::List, Takes::Matrix]),
                 "another one, of as many coordinates or rows",
             ),
         ],
@@ -161,16 +161,8 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "termwise",
         parameters: &[
             required("F", Takes::Mapping, "the function of two arguments, such as (x, y) -> x y"),
-            required(
-                "a",
-                Takes::OneOf(&[Takes::List, Takes::Matrix, Takes::Scalar]),
-                "a list, a matrix or a number",
-            ),
-            required(
-                "b",
-                Takes::OneOf(&[Takes::List, Takes::Matrix, Takes::Scalar]),
-                "another one, of the same size, or a number",
-            ),
+            required("a", Takes::Any, "a list, a matrix or a number"),
+            required("b", Takes::Any, "another one, of the same size, or a number"),
         ],
         summary: "a function of the entries of lists or matrices, one by one; also a .* b and a.^2",
         gives: Gives::Any,

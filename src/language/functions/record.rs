@@ -516,15 +516,15 @@ impl Builtin {
     }
 }
 
-/// polar_total(F, u, v): symbols where a list of variables has its place are its items.
+/// polar_total(F, u, v), groebner(F, x): symbols where a list of variables has its place are its items.
 fn with_variables_together(parameters: &[Parameter], mut args: Arguments) -> Arguments {
     let mut places = parameters.iter().filter(|parameter| parameter.has_place());
     let Some(place) = places.position(|parameter| parameter.kind == Takes::Variables) else { return args };
     let symbol = |at: usize| args.given(at).filter(|(value, _)| symbol_of(value).is_some());
     let symbols: Vec<(Value, Span)> =
         (place..args.len()).map_while(symbol).map(|(value, span)| (value.clone(), span)).collect();
-    if let [(_, first), .., (_, last)] = symbols.as_slice() {
-        let span = first.to(*last);
+    if let [(_, first), ..] = symbols.as_slice() {
+        let span = symbols.iter().fold(*first, |span, (_, next)| span.to(*next));
         for _ in 1..symbols.len() {
             args.take_place(place + 1);
         }

@@ -104,8 +104,11 @@ pub struct Notion {
 impl Notion {
     /// All ways to write one of them: power, bernstein or [bernstein, a, b].
     pub fn ways(&self) -> String {
-        let ways: Vec<&str> = self.forms.iter().copied().chain(self.unnamed).collect();
-        alternatives(&ways)
+        alternatives(&self.all_ways().collect::<Vec<_>>())
+    }
+
+    fn all_ways(&self) -> impl Iterator<Item = &'static str> {
+        self.forms.iter().copied().chain(self.unnamed)
     }
 }
 
@@ -206,13 +209,28 @@ impl Takes {
             Takes::Word(words) => return Cow::Owned(alternatives(words)),
             Takes::Exactly(number) => return Cow::Owned(number.to_string()),
             Takes::Named(notion) => return Cow::Owned(notion.ways()),
-            Takes::OneOf(kinds) => {
-                let kinds: Vec<Cow<'static, str>> = kinds.iter().map(|kind| kind.description()).collect();
-                let kinds: Vec<&str> = kinds.iter().map(AsRef::as_ref).collect();
-                return Cow::Owned(alternatives(&kinds));
+            Takes::OneOf(_) => {
+                let mut ways: Vec<Cow<'static, str>> = Vec::new();
+                for way in self.ways() {
+                    if !ways.contains(&way) {
+                        ways.push(way);
+                    }
+                }
+                let ways: Vec<&str> = ways.iter().map(AsRef::as_ref).collect();
+                return Cow::Owned(alternatives(&ways));
             }
             Takes::Any => "any value",
         })
+    }
+
+    /// All that may be written, word by word where words are meant.
+    fn ways(self) -> Vec<Cow<'static, str>> {
+        match self {
+            Takes::Word(words) => words.iter().map(|word| Cow::Borrowed(*word)).collect(),
+            Takes::Named(notion) => notion.all_ways().map(Cow::Borrowed).collect(),
+            Takes::OneOf(kinds) => kinds.iter().flat_map(|kind| kind.ways()).collect(),
+            other => vec![other.description()],
+        }
     }
 
     /// Whether a value is of this kind. What it says in detail, such as the number of points in a
@@ -260,6 +278,8 @@ impl Takes {
 
     /// The error for a value of another kind, with what can be written instead.
     pub(crate) fn refuses(self, value: &Value) -> Diagnostic {
+        let word =
+            word_of(value).map(str::to_owned).or_else(|| symbol_of(value).map(|name| name.to_string()));
         let error = match (self, value) {
             (Takes::Size | Takes::Integer, _) if value.as_rational().is_some() => {
                 Diagnostic::error(Code::Domain, format!("expected {}", self.description()))
@@ -272,18 +292,18 @@ impl Takes {
                 let other = items.iter().find(|item| !is_scalar(item)).unwrap_or(value);
                 wrong_kind(&self.description(), other)
             }
-            (Takes::Word(_), Value::Text(word)) => {
+            (Takes::Word(_), _) if word.is_some() => {
+                let word = word.as_deref().unwrap_or_default();
                 Diagnostic::error(Code::Domain, format!("expected {}, not '{word}'", self.description()))
             }
             (Takes::Named(notion), _) => wrong_kind(notion.what, value),
             _ => wrong_kind(&self.description(), value),
         };
-        match self.example() {
-            Some(example) => error.hint(example),
-            None => match word_of(value).and_then(|word| nearest(word, self.words())) {
-                Some(best) => error.hint(format!("did you mean '{best}'?")),
-                None => error,
-            },
+        let near = word.and_then(|word| nearest(&word, self.words()));
+        match (near, self.example()) {
+            (Some(best), _) => error.hint(format!("did you mean '{best}'?")),
+            (None, Some(example)) => error.hint(example),
+            (None, None) => error,
         }
     }
 

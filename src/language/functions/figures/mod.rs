@@ -80,7 +80,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "figure_functions",
         parameters: &[
-            required("functions", Takes::Coordinates, "the functions").shown("[F, G, ...]"),
+            required("functions", Takes::OneOf(&[Takes::Coordinates, Takes::Curve]), "the functions")
+                .shown("[F, G, ...]"),
             optional("a", Takes::Scalar, "where the functions start, or 0", "the start of the interval"),
             optional("b", Takes::Scalar, "where the functions end, or a + 1", "its end"),
             label_words("labels=none", GRAPH_LABELS, "points up to 14 graphs"),
