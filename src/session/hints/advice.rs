@@ -510,7 +510,7 @@ fn takes(function: &Builtin, item: &Expr) -> bool {
     let Some((first, rest)) = function.parameters.split_first() else { return false };
     let alone = rest.iter().all(|parameter| parameter.need != Need::Required);
     let fits = match first.kind {
-        Takes::Polynomial | Takes::Function | Takes::Scalar => {
+        Takes::Polynomial | Takes::Function | Takes::Formula | Takes::Scalar => {
             matches!(item.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..) | Kind::Div(..) | Kind::Apply(..))
         }
         _ => matches!(item.kind, Kind::List(_)) && function.name == "bezier",

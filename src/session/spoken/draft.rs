@@ -158,7 +158,7 @@ impl Draft {
         // the area under y = x^2
         if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
             && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
-            && matches!(first.kind, Takes::Polynomial | Takes::Function | Takes::Scalar)
+            && matches!(first.kind, Takes::Polynomial | Takes::Function | Takes::Formula | Takes::Scalar)
             && y == "y"
             && !bases(expr).contains(y)
             && self.builtin.on_equations.is_none()
@@ -302,7 +302,9 @@ impl Draft {
                 self.placed = vec![list(items)]
             }
             // the roots of -1, 2, -2: a polynomial and an interval, or coefficients, of which basis?
-            Takes::Polynomial | Takes::Scalar if items.len() > 1 && self.has_ends() => return false,
+            Takes::Polynomial | Takes::Formula | Takes::Scalar if items.len() > 1 && self.has_ends() => {
+                return false;
+            }
             _ => self.placed = items,
         }
         true
