@@ -81,7 +81,15 @@ fn functions_are_called_by_names_of_the_table() {
 
 #[test]
 fn arguments_are_asked_for_by_names_of_the_table() {
-    let asked = [".named(", ".flag(", ".flag_or(", ".size_named(", ".named_size(", ".named_scalars("];
+    let asked = [
+        ".named(",
+        ".flag(",
+        ".flag_or(",
+        ".size_named(",
+        ".named_size(",
+        ".named_scalars(",
+        ".named_interval(",
+    ];
     let (count, wrong) = unknown(&parameters(), |file, text| {
         if file.starts_with("language/functions/") { quoted(text, &asked) } else { Vec::new() }
     });

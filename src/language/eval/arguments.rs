@@ -7,7 +7,8 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{Univariate, form_of, symbol_of, univariate};
-use crate::language::value::{Claim, Polar, Value};
+use crate::language::ops::takes::Takes;
+use crate::language::value::{Claim, Function, List, Polar, Value};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 use nalgebra::DMatrix;
@@ -219,13 +220,13 @@ impl Arguments {
     /// A scalar.
     pub fn scalar(&self, i: usize) -> Result<Fraction> {
         let value = self.value(i)?;
-        value.as_scalar().cloned().ok_or_else(|| wrong_kind("a number or formula", value).at(self.span(i)))
+        value.as_scalar().cloned().ok_or_else(|| Takes::Scalar.refuses(value).at(self.span(i)))
     }
 
     /// A rational number.
     pub fn rational(&self, i: usize) -> Result<Rational> {
         let value = self.value(i)?;
-        value.as_rational().ok_or_else(|| wrong_kind("a number", value).at(self.span(i)))
+        value.as_rational().ok_or_else(|| Takes::Number.refuses(value).at(self.span(i)))
     }
 
     /// A scalar that may be left out.
@@ -257,7 +258,7 @@ impl Arguments {
     /// A symbol.
     pub fn symbol(&self, i: usize) -> Result<Symbol> {
         let value = self.value(i)?;
-        symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(self.span(i)))
+        symbol_of(value).ok_or_else(|| Takes::Variable.refuses(value).at(self.span(i)))
     }
 
     /// A symbol that may be left out.
@@ -276,13 +277,13 @@ impl Arguments {
         match value.as_int() {
             Some(0) => Ok(false),
             Some(1) => Ok(true),
-            _ => Err(wrong_kind("0 or 1", value).at(span).hint(format!("{name}=1 or {name}=0"))),
+            _ => Err(Takes::Flag.refuses(value).at(span)),
         }
     }
 
     /// The symbol given as `variable=…`.
     pub fn variable(&self) -> Result<Option<Symbol>> {
-        let symbol = |(value, span)| symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span));
+        let symbol = |(value, span)| symbol_of(value).ok_or_else(|| Takes::Variable.refuses(value).at(span));
         self.named("variable").map(symbol).transpose()
     }
 
@@ -301,12 +302,27 @@ impl Arguments {
         self.named(name).map(|(value, span)| scalars_of(value, span)).transpose()
     }
 
+    /// A function of the caller's.
+    pub(crate) fn mapping(&self, i: usize) -> Result<&Arc<Function>> {
+        match self.value(i)? {
+            Value::Function(function) => Ok(function),
+            other => Err(Takes::Mapping.refuses(other).at(self.span(i))),
+        }
+    }
+
+    /// The items of a list.
+    pub(crate) fn list(&self, i: usize) -> Result<&List<Value>> {
+        match self.value(i)? {
+            Value::List(items) => Ok(items),
+            other => Err(Takes::List.refuses(other).at(self.span(i))),
+        }
+    }
+
     /// A matrix (a list of lists will do).
     pub fn matrix(&self, i: usize) -> Result<DMatrix<Fraction>> {
         match self.value(i)? {
             Value::Matrix(matrix) => Ok(matrix.clone()),
-            other => matrix_of(other)
-                .ok_or_else(|| wrong_kind("a matrix such as [1, 2; 3, 4]", other).at(self.span(i))),
+            other => matrix_of(other).ok_or_else(|| Takes::Matrix.refuses(other).at(self.span(i))),
         }
     }
 
@@ -319,9 +335,7 @@ impl Arguments {
                     .at(self.span(i))
                     .hint("polar(F) is the polar form of a polynomial")
             }),
-            other => Err(wrong_kind("a polar form", other)
-                .at(self.span(i))
-                .hint("polar(F) is the polar form of a polynomial")),
+            other => Err(Takes::Polar.refuses(other).at(self.span(i))),
         }
     }
 
@@ -339,14 +353,11 @@ impl Arguments {
 }
 
 fn scalars_of(value: &Value, span: Span) -> Result<Vec<Fraction>> {
-    let Value::List(items) = value else {
-        return Err(wrong_kind("a list such as [0, 1/2, 1]", value).at(span));
+    let scalars = match value {
+        Value::List(items) => items.iter().map(|item| item.as_scalar().cloned()).collect(),
+        _ => None,
     };
-    let scalar = |item: &Value| {
-        let wrong = || wrong_kind("a list of numbers or formulas", item).at(span);
-        item.as_scalar().cloned().ok_or_else(wrong)
-    };
-    items.iter().map(scalar).collect()
+    scalars.ok_or_else(|| Takes::Scalars.refuses(value).at(span))
 }
 
 fn size_of(value: &Value, span: Span) -> Result<usize> {
@@ -355,8 +366,7 @@ fn size_of(value: &Value, span: Span) -> Result<usize> {
             Some(q) if q.is_integer() && q > Rational::from_integer(0.into()) => {
                 Diagnostic::error(Code::TooManyTerms, "this number is too large here").at(span)
             }
-            Some(_) => Diagnostic::error(Code::Domain, "expected an integer that is 0 or more").at(span),
-            None => wrong_kind("an integer that is 0 or more", value).at(span),
+            _ => Takes::Size.refuses(value).at(span),
         },
     )
 }

@@ -13,32 +13,10 @@ use crate::math::poly::Fraction;
 use crate::math::subdivision::{Scheme, VertexScheme};
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-/// A way to write something with a name, and what it is for the numbers behind the name.
-struct Way<T> {
-    word: &'static str,
-    form: &'static str,
-    read: fn(&[Fraction]) -> Option<T>,
-}
+/// How something with a name is written, and what it is for the numbers behind its name.
+type Way<T> = (&'static str, fn(&[Fraction]) -> Option<T>);
 
-const fn words<T, const N: usize>(ways: &[Way<T>; N]) -> [&'static str; N] {
-    let (mut words, mut i) = ([""; N], 0);
-    while i < N {
-        words[i] = ways[i].word;
-        i += 1;
-    }
-    words
-}
-
-const fn forms<T, const N: usize>(ways: &[Way<T>; N]) -> [&'static str; N] {
-    let (mut forms, mut i) = ([""; N], 0);
-    while i < N {
-        forms[i] = ways[i].form;
-        i += 1;
-    }
-    forms
-}
-
-/// The words of choices.
+/// The words of choices, and how ways are written.
 pub(crate) const fn words_of<T, const N: usize>(choices: &[(&'static str, T); N]) -> [&'static str; N] {
     let (mut words, mut i) = ([""; N], 0);
     while i < N {
@@ -62,65 +40,29 @@ pub(crate) fn chosen<T: Copy>(given: Option<(&Value, Span)>, choices: &[(&str, T
 }
 
 const BASES: [Way<Over<Basis<Fraction>>>; 9] = [
-    Way { word: "power", form: "power", read: |n| n.is_empty().then_some(Ok(Basis::Power)) },
-    Way { word: "bernstein", form: "bernstein", read: |n| alone(n).map(Basis::Bernstein).map(Ok) },
-    Way {
-        word: "bernstein",
-        form: "[bernstein, a, b]",
-        read: |n| over(n).map(|interval| interval.map(Basis::Bernstein)),
-    },
-    Way { word: "taylor", form: "[taylor, a]", read: |n| one(n).map(|at| Ok(Basis::Taylor { at })) },
-    Way {
-        word: "lagrange",
-        form: "[lagrange, t_0, t_1, ...]",
-        read: |n| Some(Ok(Basis::Lagrange(n.to_vec()))),
-    },
-    Way { word: "newton", form: "[newton, t_0, t_1, ...]", read: |n| Some(Ok(Basis::Newton(n.to_vec()))) },
-    Way { word: "hermite", form: "hermite", read: |n| alone(n).map(Basis::HermiteEndpoints).map(Ok) },
-    Way {
-        word: "hermite",
-        form: "[hermite, a, b]",
-        read: |n| over(n).map(|interval| interval.map(Basis::HermiteEndpoints)),
-    },
-    Way {
-        word: "legendre",
-        form: "[legendre, a, b]",
-        read: |n| over(n).map(|interval| interval.map(Basis::Legendre)),
-    },
+    ("power", |n| n.is_empty().then_some(Ok(Basis::Power))),
+    ("bernstein", |n| alone(n).map(Basis::Bernstein).map(Ok)),
+    ("[bernstein, a, b]", |n| over(n).map(|interval| interval.map(Basis::Bernstein))),
+    ("[taylor, a]", |n| one(n).map(|at| Ok(Basis::Taylor { at }))),
+    ("[lagrange, t_0, t_1, ...]", |n| Some(Ok(Basis::Lagrange(n.to_vec())))),
+    ("[newton, t_0, t_1, ...]", |n| Some(Ok(Basis::Newton(n.to_vec())))),
+    ("hermite", |n| alone(n).map(Basis::HermiteEndpoints).map(Ok)),
+    ("[hermite, a, b]", |n| over(n).map(|interval| interval.map(Basis::HermiteEndpoints))),
+    ("[legendre, a, b]", |n| over(n).map(|interval| interval.map(Basis::Legendre))),
 ];
 
 const SCHEMES: [Way<Scheme<Fraction>>; 8] = [
-    Way { word: "chaikin", form: "chaikin", read: |n| n.is_empty().then(|| Scheme::lane_riesenfeld(2)) },
-    Way { word: "cubic", form: "cubic", read: |n| n.is_empty().then(|| Scheme::lane_riesenfeld(3)) },
-    Way {
-        word: "four_point",
-        form: "four_point",
-        read: |n| n.is_empty().then(|| Scheme::four_point(&number(1, 16))),
-    },
-    Way {
-        word: "de_rham",
-        form: "de_rham",
-        read: |n| n.is_empty().then(|| Scheme::corner_cutting(&number(1, 3), &number(1, 3))),
-    },
-    Way {
-        word: "lane_riesenfeld",
-        form: "[lane_riesenfeld, n]",
-        read: |n| {
-            let degree = Value::Scalar(one(n)?).as_int()?;
-            usize::try_from(degree).ok().map(Scheme::lane_riesenfeld)
-        },
-    },
-    Way { word: "four_point", form: "[four_point, w]", read: |n| one(n).map(|w| Scheme::four_point(&w)) },
-    Way {
-        word: "corner_cutting",
-        form: "[corner_cutting, lambda]",
-        read: |n| one(n).map(|both| Scheme::corner_cutting(&both, &both)),
-    },
-    Way {
-        word: "corner_cutting",
-        form: "[corner_cutting, lambda, mu]",
-        read: |n| ends(n).map(|(lambda, mu)| Scheme::corner_cutting(&lambda, &mu)),
-    },
+    ("chaikin", |n| n.is_empty().then(|| Scheme::lane_riesenfeld(2))),
+    ("cubic", |n| n.is_empty().then(|| Scheme::lane_riesenfeld(3))),
+    ("four_point", |n| n.is_empty().then(|| Scheme::four_point(&number(1, 16)))),
+    ("de_rham", |n| n.is_empty().then(|| Scheme::corner_cutting(&number(1, 3), &number(1, 3)))),
+    ("[lane_riesenfeld, n]", |n| {
+        let degree = Value::Scalar(one(n)?).as_int()?;
+        usize::try_from(degree).ok().map(Scheme::lane_riesenfeld)
+    }),
+    ("[four_point, w]", |n| one(n).map(|w| Scheme::four_point(&w))),
+    ("[corner_cutting, lambda]", |n| one(n).map(|both| Scheme::corner_cutting(&both, &both))),
+    ("[corner_cutting, lambda, mu]", |n| ends(n).map(|(lambda, mu)| Scheme::corner_cutting(&lambda, &mu))),
 ];
 
 /// Subdivision of meshes around a vertex.
@@ -131,13 +73,11 @@ const MESHES: [(&str, VertexScheme); 4] = [
     ("warren", VertexScheme::Warren),
 ];
 
-const BASIS_NOTION: Notion =
-    Notion { what: "a basis", words: &words(&BASES), forms: &forms(&BASES), unnamed: None };
+const BASIS_NOTION: Notion = Notion { what: "a basis", forms: &words_of(&BASES), unnamed: None };
 
 const SCHEME_NOTION: Notion = Notion {
     what: "a subdivision scheme",
-    words: &words(&SCHEMES),
-    forms: &forms(&SCHEMES),
+    forms: &words_of(&SCHEMES),
     unnamed: Some("a mask such as [1, 3, 3, 1]/4"),
 };
 
@@ -200,7 +140,7 @@ fn word_and_numbers(value: &Value) -> Option<(&str, Vec<Fraction>)> {
 fn read<T>(ways: &[Way<T>], kind: Takes, value: &Value, span: Span) -> Result<T> {
     word_and_numbers(value)
         .and_then(|(word, numbers)| {
-            ways.iter().filter(|way| way.word == word).find_map(|way| (way.read)(&numbers))
+            ways.iter().filter(|(form, _)| Notion::name(form) == word).find_map(|(_, read)| read(&numbers))
         })
         .ok_or_else(|| kind.refuses(value))
         .at(span)

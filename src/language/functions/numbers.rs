@@ -117,12 +117,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Any,
         example: "map(i -> i^2, 0..3)",
         call: |machine, args| {
-            let Value::Function(function) = args.value(0)? else {
-                return Err(wrong_kind("a function such as i -> i^2", args.value(0)?).at(args.span(0)));
-            };
-            let Value::List(items) = args.value(1)? else {
-                return Err(wrong_kind("a list", args.value(1)?).at(args.span(1)));
-            };
+            let (function, items) = (args.mapping(0)?, args.list(1)?);
             let span = args.span(0);
             let value = |item: &Value| machine.call(function, vec![(item.clone(), args.span(1))], span);
             items.iter().map(value).collect::<Result<_, _>>().map(Value::List)
@@ -168,9 +163,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Any,
         example: "termwise((x, y) -> x y, [1, 2], [3, 4])",
         call: |machine, args| {
-            let Value::Function(function) = args.value(0)? else {
-                return Err(wrong_kind("a function such as (x, y) -> x y", args.value(0)?).at(args.span(0)));
-            };
+            let function = args.mapping(0)?;
             let span = args.span(0);
             let (left, right) = (args.span(1), args.span(2));
             let mut each = |a: &Value, b: &Value| {
@@ -198,10 +191,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the number of items of a list",
         gives: Gives::Count,
         example: "length([1, 2, 3])",
-        call: |_, args| match args.value(0)? {
-            Value::List(items) => Ok(Value::int(items.len() as i64)),
-            other => Err(wrong_kind("a list", other).at(args.span(0))),
-        },
+        call: |_, args| Ok(Value::int(args.list(0)?.len() as i64)),
         ..NEW
     },
 ];

@@ -396,7 +396,7 @@ impl Builtin {
         let args = with_letter_left_out(parameters, with_variables_together(parameters, args));
         let mut args = with_variable_apart(parameters, args);
         let by_place: Vec<&Parameter> = parameters.iter().filter(|p| p.has_place()).collect();
-        let by_name = || parameters.iter().chain(self.common).filter(|p| matches!(p.need, Need::Named(_)));
+        let by_name = || self.by_name(parameters);
         let placeable = names_places(parameters);
         for (name, value, span) in args.take_all_named() {
             // degree=2 where the form says n
@@ -427,17 +427,26 @@ impl Builtin {
         }
         self.check_count(parameters, &by_place, &args)?;
         self.check_kinds(parameters, &by_place, &args)?;
-        for parameter in parameters.iter().chain(self.common) {
-            let Some(value) = parameter.default_value() else { continue };
-            match by_place.iter().position(|own| std::ptr::eq(*own, parameter)) {
-                Some(place) if args.given(place).is_none() => args.put(place, value, Span::default()),
-                None if args.named(parameter.name).is_none() => {
-                    args.push_named(parameter.name.to_owned(), value, Span::default());
-                }
-                _ => {}
+        for (place, parameter) in by_place.iter().enumerate() {
+            if args.given(place).is_none()
+                && let Some(value) = parameter.default_value()
+            {
+                args.put(place, value, Span::default());
+            }
+        }
+        for parameter in by_name() {
+            if args.named(parameter.name).is_none()
+                && let Some(value) = parameter.default_value()
+            {
+                args.push_named(parameter.name.to_owned(), value, Span::default());
             }
         }
         Ok(args)
+    }
+
+    /// What can only be given by its name.
+    fn by_name<'a>(&self, parameters: &'a [Parameter]) -> impl Iterator<Item = &'a Parameter> + use<'a> {
+        parameters.iter().chain(self.common).filter(|own| matches!(own.need, Need::Named(_)))
     }
 
     /// Each argument has to be what its parameter says.
@@ -447,7 +456,7 @@ impl Builtin {
             let parameter = by_place.get(place).or(by_place.last().filter(several))?;
             args.given(place).map(|(value, span)| (*parameter, value, span))
         });
-        let named = parameters.iter().chain(self.common).filter(|own| matches!(own.need, Need::Named(_)));
+        let named = self.by_name(parameters);
         let named = named
             .filter_map(|parameter| args.named(parameter.name).map(|(value, span)| (parameter, value, span)));
         for (parameter, value, span) in placed.chain(named) {

@@ -113,9 +113,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "spline_from_pieces(1, [0, 0, 1, 2, 2], [bezier([0, 1]), bezier([1, 5], 1, 2)])",
         call: |_, args| {
             let knots = knots(args)?;
-            let Value::List(items) = args.value(2)? else {
-                return Err(wrong_kind("a list of Bézier curves", args.value(2)?).at(args.span(2)));
-            };
+            let items = args.list(2)?;
             let mut pieces = Vec::with_capacity(items.len());
             let mut form = Form::default();
             for item in items {

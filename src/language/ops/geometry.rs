@@ -39,6 +39,30 @@ pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
     }
 }
 
+fn is_coordinates(value: &Value) -> bool {
+    match value {
+        Value::List(items) => items.iter().all(|x| x.as_scalar().is_some()),
+        Value::Matrix(column) => column.ncols() == 1,
+        _ => false,
+    }
+}
+
+/// Whether it is a point, see [`point_of`]. Nothing is copied.
+pub(crate) fn is_point(value: &Value) -> bool {
+    value.as_scalar().is_some() || is_coordinates(value)
+}
+
+/// Whether it is a list of points, see [`points_of`]. Nothing is copied.
+pub(crate) fn is_points(value: &Value) -> bool {
+    match value {
+        Value::List(items) if !items.is_empty() => {
+            items.iter().all(|item| item.as_scalar().is_some()) || items.iter().all(is_coordinates)
+        }
+        Value::Matrix(_) => true,
+        _ => false,
+    }
+}
+
 /// One point: coordinates, or a single number.
 pub(crate) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
     match value {

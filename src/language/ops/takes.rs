@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::errors::wrong_kind;
 use super::formula::symbol_of;
-use super::geometry::{point_of, points_of};
+use super::geometry::{is_point, is_points};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::Value;
 use crate::math::number::Rational;
@@ -93,9 +93,7 @@ pub enum Takes {
 pub struct Notion {
     /// What each of them is.
     pub what: &'static str,
-    /// Their names.
-    pub words: &'static [&'static str],
-    /// How they are written: `[bernstein, a, b]`.
+    /// How they are written: `power`, `[bernstein, a, b]`.
     pub forms: &'static [&'static str],
     /// What stands for one without a name: a mask.
     pub unnamed: Option<&'static str>,
@@ -105,6 +103,15 @@ impl Notion {
     /// All ways to write one of them: power, bernstein or [bernstein, a, b].
     pub fn ways(&self) -> String {
         alternatives(&self.all_ways().collect::<Vec<_>>())
+    }
+
+    /// The name in a way to write one of them.
+    pub(crate) fn name(form: &str) -> &str {
+        form.trim_start_matches('[').split([',', ']']).next().unwrap_or_default()
+    }
+
+    fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.forms.iter().map(|form| Notion::name(form))
     }
 
     fn all_ways(&self) -> impl Iterator<Item = &'static str> {
@@ -155,7 +162,7 @@ impl Takes {
     pub fn words(self) -> Vec<&'static str> {
         match self {
             Takes::Word(words) => words.to_vec(),
-            Takes::Named(notion) => notion.words.to_vec(),
+            Takes::Named(notion) => notion.names().collect(),
             Takes::OneOf(kinds) => kinds.iter().flat_map(|kind| kind.words()).collect(),
             _ => Vec::new(),
         }
@@ -165,10 +172,15 @@ impl Takes {
     pub fn has_word(self, word: &str) -> bool {
         match self {
             Takes::Word(words) => words.contains(&word),
-            Takes::Named(notion) => notion.words.contains(&word),
+            Takes::Named(notion) => notion.names().any(|name| name == word),
             Takes::OneOf(kinds) => kinds.iter().any(|kind| kind.has_word(word)),
             _ => false,
         }
+    }
+
+    /// Whether a formula is expected.
+    pub(crate) fn is_formula(self) -> bool {
+        matches!(self, Takes::Scalar | Takes::Formula | Takes::Polynomial | Takes::Function)
     }
 
     /// What is expected, in words.
@@ -256,11 +268,11 @@ impl Takes {
             Takes::Geometry => matches!(value, Value::Geometry(_) | Value::Piecewise(_)),
             Takes::Surface => matches!(value, Value::Geometry(geometry) if geometry.is_surface()),
             Takes::Piecewise => matches!(value, Value::Piecewise(_)),
-            Takes::Point => point_of(value).is_some(),
+            Takes::Point => is_point(value),
             // How many there have to be says the function.
-            Takes::Points => points_of(value).is_some() || all(value, |_| false),
-            Takes::Triangle => points_of(value).is_some(),
-            Takes::Net => all(value, |row| points_of(row).is_some()) || matches!(value, Value::Matrix(_)),
+            Takes::Points => is_points(value) || all(value, |_| false),
+            Takes::Triangle => is_points(value),
+            Takes::Net => all(value, is_points) || matches!(value, Value::Matrix(_)),
             Takes::Rows => all(value, is_row) || matches!(value, Value::Matrix(_)),
             Takes::Matrix => matches!(value, Value::Matrix(_)) || all(value, |row| all(row, is_scalar)),
             Takes::Equations => matches!(value, Value::Claim(_)),
@@ -334,7 +346,7 @@ impl Takes {
 
 impl Notion {
     fn accepts(&self, value: &Value) -> bool {
-        let named = |value: &Value| word_of(value).is_some_and(|word| self.words.contains(&word));
+        let named = |value: &Value| word_of(value).is_some_and(|word| self.names().any(|name| name == word));
         match value {
             Value::List(items) => match items.split_first() {
                 Some((first, rest)) if named(first) => rest.iter().all(is_scalar),

@@ -8,7 +8,7 @@ use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::formula::{Expr, Kind, call};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
-use crate::language::functions::{Builtin, Need, Takes, builtin, function_called};
+use crate::language::functions::{Builtin, Need, builtin, function_called};
 use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::lexicon::phrases::{self, Label, Phrase, phrase};
 use crate::language::lexicon::topics::{self, Advice};
@@ -510,7 +510,7 @@ fn takes(function: &Builtin, item: &Expr) -> bool {
     let Some((first, rest)) = function.parameters.split_first() else { return false };
     let alone = rest.iter().all(|parameter| parameter.need != Need::Required);
     let fits = match first.kind {
-        Takes::Polynomial | Takes::Function | Takes::Formula | Takes::Scalar => {
+        kind if kind.is_formula() => {
             matches!(item.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..) | Kind::Div(..) | Kind::Apply(..))
         }
         _ => matches!(item.kind, Kind::List(_)) && function.name == "bezier",

@@ -158,7 +158,7 @@ impl Draft {
         // the area under y = x^2
         if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
             && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
-            && matches!(first.kind, Takes::Polynomial | Takes::Function | Takes::Formula | Takes::Scalar)
+            && first.kind.is_formula()
             && y == "y"
             && !bases(expr).contains(y)
             && self.builtin.on_equations.is_none()

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Arguments;
+use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::formula::is_parameter;
@@ -10,6 +11,7 @@ use crate::language::ops::geometry::{
     as_spline, joined, point_of, points_of, polynomial_pieces, scalar_list,
 };
 use crate::language::ops::lists::is_curve;
+use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, homogeneous};
 use crate::math::curve::{BezierCurve, CurveError, Interval, Point, Triangle};
 use crate::math::poly::Fraction;
@@ -26,15 +28,8 @@ impl Arguments {
     /// Control points at a place, with weights or homogeneous coordinates if they are named.
     pub(crate) fn control_points(&self, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {
         let value = self.value(i)?;
-        let (points, scalar) = points_of(value).ok_or_else(|| {
-            let mixed = matches!(value, Value::List(items) if !items.is_empty());
-            let problem = match mixed {
-                true => Diagnostic::error(Code::Type, "these are not all points with as many coordinates")
-                    .reason("numbers and points side by side, or something else among them"),
-                false => wrong_kind("a list of control points", value),
-            };
-            problem.at(self.span(i)).hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
-        })?;
+        let (points, scalar) =
+            points_of(value).ok_or_else(|| Takes::Points.refuses(value).at(self.span(i)))?;
         let already = self.flag("homogeneous")?;
         let Some((weights, span)) = self.named("weights") else {
             let form =
@@ -69,9 +64,7 @@ impl Arguments {
     pub(crate) fn geometry(&self, i: usize) -> Result<Arc<Geometry>> {
         match self.value(i)? {
             Value::Geometry(geometry) => Ok(geometry.clone()),
-            other => Err(wrong_kind("a curve", other)
-                .at(self.span(i))
-                .hint("bezier([[0, 0], [1, 2], [2, 0]]) makes one")),
+            other => Err(Takes::Geometry.refuses(other).at(self.span(i))),
         }
     }
 
@@ -117,9 +110,7 @@ impl Arguments {
             }
             _ => {}
         }
-        Err(wrong_kind("a Bézier curve", value)
-            .at(self.span(i))
-            .hint("bezier([[0, 0], [1, 2], [2, 0]]) makes one"))
+        Err(Takes::Curve.refuses(value).at(self.span(i)))
     }
 
     /// A spline; a Bézier curve is one without inner knots.
@@ -139,18 +130,12 @@ impl Arguments {
             let joined = joined(&pieces.map_err(curve_error)?).at(self.span(i))?;
             return Ok((joined, Form { scalar, rational: false }));
         }
-        Err(wrong_kind("a B-spline curve", value)
-            .at(self.span(i))
-            .hint("bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]) makes one"))
+        Err(Takes::Spline.refuses(value).at(self.span(i)))
     }
 
     /// A control net at a place: rows of points, with weights if they are named.
     pub(crate) fn net(&self, i: usize) -> Result<(Vec<Vec<Point<Fraction>>>, Form)> {
-        let wrong = |value: &Value| {
-            wrong_kind("a control net", value)
-                .at(self.span(i))
-                .hint("rows of points, such as [[[0, 0, 0], [0, 1, 1]], [[1, 0, 1], [1, 1, 0]]]")
-        };
+        let wrong = |value: &Value| Takes::Net.refuses(value).at(self.span(i));
         let value = self.value(i)?;
         let rows: Vec<Value> = match value {
             Value::List(rows) => rows.to_vec(),
@@ -198,13 +183,13 @@ impl Arguments {
         if self.given(i).is_none() {
             return Ok(Interval::unit());
         }
-        let list = self.scalars(i)?;
-        let [a, b] = list.as_slice() else {
-            return Err(Diagnostic::error(Code::Shape, "an interval has two ends")
-                .at(self.span(i))
-                .hint("such as [0, 1]"));
-        };
-        Interval::new(a.clone(), b.clone()).map_err(curve_error).at(self.span(i))
+        interval_of(self.scalars(i)?, self.span(i))
+    }
+
+    /// An interval under a name.
+    pub(crate) fn named_interval(&self, name: &str) -> Result<Option<Interval<Fraction>>> {
+        let span = self.named(name).map_or_else(Span::default, |(_, span)| span);
+        self.named_scalars(name)?.map(|ends| interval_of(ends, span)).transpose()
     }
 
     /// A triangle `[[0, 0], [1, 0], [0, 1]]` in the plane at a place; that one if it is missing.
@@ -214,18 +199,14 @@ impl Arguments {
         }
         let value = self.value(i)?;
         let corners = points_of(value).and_then(|(points, _)| <[Point<Fraction>; 3]>::try_from(points).ok());
-        let corners = corners.ok_or_else(|| {
-            wrong_kind("three points of the plane", value)
-                .at(self.span(i))
-                .hint("such as [[0, 0], [1, 0], [0, 1]]")
-        })?;
+        let corners = corners.ok_or_else(|| Takes::Triangle.refuses(value).at(self.span(i)))?;
         Triangle::new(corners).map_err(curve_error).at(self.span(i))
     }
 
     /// A point at a place.
     pub(crate) fn point(&self, i: usize) -> Result<Point<Fraction>> {
         let value = self.value(i)?;
-        point_of(value).map(|(point, _)| point).ok_or_else(|| wrong_kind("a point", value).at(self.span(i)))
+        point_of(value).map(|(point, _)| point).ok_or_else(|| Takes::Point.refuses(value).at(self.span(i)))
     }
 
     /// All further scalars.
@@ -240,6 +221,13 @@ impl Arguments {
             _ => self.scalars_from(first),
         }
     }
+}
+
+fn interval_of(ends: Vec<Fraction>, span: Span) -> Result<Interval<Fraction>> {
+    let [a, b] = <[Fraction; 2]>::try_from(ends).map_err(|_| {
+        Diagnostic::error(Code::Shape, "an interval has two ends").at(span).hint("such as [0, 1]")
+    })?;
+    Interval::new(a, b).map_err(curve_error).at(span)
 }
 
 /// The first item that is not a weight.

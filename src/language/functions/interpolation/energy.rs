@@ -13,7 +13,7 @@ use crate::language::functions::parameter::{
     CURVE, DEGREE, Parameter, RESULT_VARIABLE, named, optional, required,
 };
 use crate::language::functions::splines::piecewise;
-use crate::language::ops::errors::{curve_error, linalg_error, spline_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, linalg_error, spline_error};
 use crate::language::ops::geometry::{as_spline, bezier, polynomial_pieces};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value};
@@ -211,7 +211,7 @@ impl Functions {
     fn read(args: &Arguments) -> Result<Self> {
         let (n, value, place) = (args.size(0)?, args.value(1)?, args.span(1));
         crate::budget::charge_terms((n as u64).saturating_add(1).saturating_pow(2));
-        let given = args.named("interval").map(|(value, span)| ends(value, span)).transpose()?;
+        let given = args.named_interval("interval")?;
         if let Value::List(items) = value
             && items.iter().all(|item| item.as_scalar().is_some())
         {
@@ -284,17 +284,4 @@ impl Functions {
 
 fn bernstein(interval: &Interval<Fraction>) -> Basis<Fraction> {
     Basis::Bernstein(interval.clone())
-}
-
-/// [a, b]
-fn ends(value: &Value, span: Span) -> Result<Interval<Fraction>> {
-    match value {
-        Value::List(items) => match items.as_slice() {
-            [Value::Scalar(a), Value::Scalar(b)] => {
-                Interval::new(a.clone(), b.clone()).map_err(curve_error).at(span)
-            }
-            _ => Err(wrong_kind("an interval [a, b]", value).at(span).hint("such as [0, 1]")),
-        },
-        other => Err(wrong_kind("an interval [a, b]", other).at(span).hint("such as [0, 1]")),
-    }
 }
