@@ -20,7 +20,9 @@ pub(super) struct Blocks {
     inside: Vec<(usize, Block, u32)>,
     /// The environments that define: what they say goes on after them.
     passing: Vec<u32>,
-    /// The environment that has just ended: a solution goes on from its exercise.
+    /// The environments that prove, each with the one before that it proves.
+    proving: Vec<(u32, Option<u32>)>,
+    /// The environment that has just ended: a solution goes on from its exercise, a proof from its theorem.
     left: Option<(Block, u32)>,
     /// The number of the first statement of an example without a label.
     running: Option<usize>,
@@ -40,21 +42,36 @@ struct Example {
 }
 
 impl Blocks {
-    /// The numbers of all that is open, outermost first.
+    /// The numbers of the examples and cases that are open, outermost first.
     pub(super) fn open(&self) -> Vec<u32> {
-        let labelled = self.labelled.iter().map(|(_, block)| *block);
-        labelled.chain(self.inside.iter().map(|(_, _, block)| *block)).collect()
+        self.numbers(|block| !matches!(block, Block::Proof | Block::Open))
     }
 
-    /// Whether what an environment says goes on after it.
-    pub(super) fn is_passing(&self, environment: u32) -> bool {
-        self.passing.contains(&environment)
+    /// The numbers of the proofs that are open, outermost first.
+    pub(super) fn proofs(&self) -> Vec<u32> {
+        self.numbers(|block| block == Block::Proof)
+    }
+
+    fn numbers(&self, are: impl Fn(Block) -> bool) -> Vec<u32> {
+        let labelled = self.labelled.iter().map(|(block, own)| (*block, *own));
+        let all = labelled.chain(self.inside.iter().map(|(_, block, own)| (*block, *own)));
+        all.filter(|(block, _)| are(*block)).map(|(_, own)| own).collect()
+    }
+
+    /// The environment to which what is said in an environment belongs: a proof to what it proves. Nothing if it goes on
+    /// after it.
+    pub(super) fn scope_of(&self, environment: u32) -> Option<u32> {
+        match self.proving.iter().find(|(own, _)| *own == environment) {
+            Some((_, proved)) => *proved,
+            None => Some(environment).filter(|own| !self.passing.contains(own)),
+        }
     }
 
     /// A heading ends what labels began.
     pub(super) fn heading(&mut self) {
         self.labelled.clear();
         self.running = None;
+        self.left = None;
     }
 
     /// "Take for example n = 3. … In general …": what stands between is said in the example, which gets this number.
@@ -70,9 +87,9 @@ impl Blocks {
         }
     }
 
-    /// Words after an environment.
+    /// Words after an environment: before a proof they may lead to it.
     pub(super) fn goes_on(&mut self) {
-        self.left = None;
+        self.left.take_if(|(block, _)| *block != Block::Open);
     }
 
     /// A labelled paragraph begins; a proof goes on from what it proves, a case is within its proof.
@@ -96,9 +113,13 @@ impl Blocks {
     ) {
         let before = self.left.take();
         match kind {
-            None | Some(Block::Open) => {}
+            None => {}
+            Some(Block::Open) => self.inside.push((depth, Block::Open, own)),
             Some(Block::Definition) => self.passing.push(own),
             Some(block) => {
+                if block == Block::Proof {
+                    self.proving.push((own, before.map(|(_, scope)| scope)));
+                }
                 if let Some((before, scope)) = before.filter(|(before, _)| before.holds(block)) {
                     self.inside.push((depth, before, scope));
                 }
@@ -124,6 +145,7 @@ impl Blocks {
 
     /// A formula stands at a place.
     pub(super) fn said(&mut self, place: &Place) {
+        self.left = None;
         if let Some(example) = self.examples.last_mut()
             && place.blocks.contains(&example.block)
         {

@@ -12,7 +12,7 @@ use super::items::{regrouped, with_alternatives};
 use super::objects;
 use super::primes;
 use super::sentence;
-use super::speech;
+use super::speech::{self, Block};
 use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
@@ -129,9 +129,8 @@ impl Reader<'_> {
                 if !words.trim().is_empty() {
                     self.blocks.goes_on();
                 }
-                if !self.begun
-                    && let Some(block) = speech::block(words)
-                {
+                let label = speech::block(words).filter(|_| !self.begun);
+                if let Some(block) = label {
                     self.next_scope += 1;
                     let place = self.place();
                     self.blocks.label(block, self.next_scope, speech::number_of_block(words), &place);
@@ -139,7 +138,8 @@ impl Reader<'_> {
                     self.blocks.recall(&name);
                 }
                 self.next_scope += 1;
-                if !self.begun && speech::sets_apart(words) {
+                // A proof speaks of what it proves.
+                if !self.begun && label != Some(Block::Proof) && speech::sets_apart(words) {
                     self.apart = Some(self.next_scope);
                 }
                 self.blocks.runs(words, !self.begun, self.next_scope, &mut self.statements);
@@ -278,13 +278,14 @@ impl Reader<'_> {
             .enclosures
             .iter()
             .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment))
-            .filter(|(_, scope)| !self.blocks.is_passing(*scope));
+            .filter_map(|(_, scope)| self.blocks.scope_of(*scope));
         let sections = self.sections.iter().map(|(_, scope)| *scope);
         Place {
-            scope: sections.chain(enclosing.map(|(_, scope)| *scope)).collect(),
+            scope: sections.chain(enclosing).collect(),
             group: self.group,
             formula: self.formula,
             blocks: self.blocks.open(),
+            proofs: self.blocks.proofs(),
             recalled: self.blocks.recalled.clone(),
             items: self.items(),
             changes: self.changes.so_far,

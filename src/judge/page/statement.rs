@@ -25,8 +25,10 @@ pub struct Place {
     pub group: u32,
     /// The number of the formula.
     pub formula: usize,
-    /// The example, proof and case it stands in, whose facts end with them, outermost first.
+    /// The example and case it stands in, whose facts end with them, outermost first.
     pub blocks: Vec<u32>,
+    /// The proofs and solutions it stands in: they speak of what they prove, but what they suppose ends with them.
+    pub proofs: Vec<u32>,
     /// The end of an earlier example that its paragraph goes back to: "in Example 2".
     pub recalled: Option<Rc<Place>>,
     /// The items of lists it stands in, outermost first.
@@ -52,7 +54,8 @@ impl Place {
     /// Whether a fact from there can be alive here: what is assumed ends with its paragraph, what is said
     /// in an example, proof or case ends with it.
     pub fn in_reach(&self, earlier: &Place, assumed: bool) -> bool {
-        self.blocks.starts_with(&earlier.blocks) && (!assumed || earlier.group == self.group)
+        let within = self.blocks.starts_with(&earlier.blocks) && self.proofs.starts_with(&earlier.proofs);
+        within && (!assumed || earlier.group == self.group)
             || self
                 .recalled
                 .as_ref()

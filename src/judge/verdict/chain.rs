@@ -195,7 +195,7 @@ impl Checker {
                         let symbol =
                             symbol_of(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
-                        claimed && given
+                        (claimed || tried[0].evidence.contains(&Evidence::Names)) && given
                             || around
                             || tried[0].determined
                             || self

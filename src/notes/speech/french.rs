@@ -128,6 +128,7 @@ pub(super) const PROOFS: &[&str] = &["montrer", "montrez", "démontrer", "prouve
 
 pub(super) const FILLERS: &[&str] = &[
     "le", "la", "les", "un", "une", "aussi", "encore", "toujours", "que", "tout", "tous", "toute", "entier",
+    "d'abord",
 ];
 
 pub(super) const BLOCKS: &[(&str, Block)] = &[

@@ -12,7 +12,7 @@ use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::instances::hypotheses::is_coefficient;
 use crate::judge::page::context::{Body, Definition, is_variable};
 use crate::judge::page::finding::Evidence;
-use crate::judge::page::object::Sort;
+use crate::judge::page::object::{Declared, Sort};
 use crate::judge::page::statement::Role;
 use crate::judge::page::topic::Topic;
 use crate::judge::repair::Repair;
@@ -50,15 +50,21 @@ impl Suspect<'_> {
         shown.into_iter().filter(|(e, holds)| *holds && counts(e)).map(|(evidence, _)| evidence).collect()
     }
 
-    /// Whether it gives another point than the one that words describe, made of the same control points.
+    /// Whether it gives another point than the one that words describe: made of the same control points, or another number
+    /// for a control point of a curve that the page gives.
     fn is_of_a_described_point(&self) -> bool {
         let [left, _] = self.sides();
-        let told = Head::of(left).and_then(|head| {
-            let told = self.checker.context.object(&head, &self.statement.place)?;
-            Some(told.object.sort == Sort::Symbols && !told.object.values.is_empty())
-        });
+        let told = Head::of(left).and_then(|head| self.checker.context.object(&head, &self.statement.place));
+        let Some(Declared { object, .. }) = told else { return false };
         let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
-        told == Some(true) && left.len() > 1 && left == right
+        match object.sort {
+            Sort::Symbols => !object.values.is_empty() && left.len() > 1 && left == right,
+            Sort::ControlPoints => {
+                let given = object.of.is_some() && !left.iter().any(is_coefficient);
+                given && self.statement.role.is_none() && left == right && left.len() != 1
+            }
+            _ => false,
+        }
     }
 
     /// Whether one side is a value of a polynomial that may be any, and the other one a number: f(1, 1) = 5 says something

@@ -238,6 +238,7 @@ pub const FILLERS: &[&str] = &[
     "parameter",
     "real",
     "indeed",
+    "first",
 ];
 
 pub const BLOCKS: &[(&str, Block)] = &[

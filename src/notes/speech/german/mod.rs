@@ -103,7 +103,7 @@ pub(super) const CUES: &[Cue] = &[
     Before("für alle", Role::All),
     Before("für beliebige", Role::All),
     Before("für jede", Role::All),
-    Before("stets", Role::Always),
+    Before("stets", "zunächst", Role::Always),
     Before("immer", Role::Always),
     Before("gilt stets", Role::Always),
     Before("gilt immer", Role::Always),
@@ -164,8 +164,21 @@ pub(super) const CONCLUSIONS: &[&str] =
 pub(super) const PROOFS: &[&str] = &["zeige", "zeigen", "beweise", "beweisen"];
 
 pub(super) const FILLERS: &[&str] = &[
-    "die", "der", "das", "ein", "eine", "auch", "nun", "wieder", "immer", "dass", "alle", "jedes", "jede",
+    "die",
+    "der",
+    "das",
+    "ein",
+    "eine",
+    "auch",
+    "nun",
+    "wieder",
+    "immer",
+    "dass",
+    "alle",
+    "jedes",
+    "jede",
     "stets",
+    "zunächst",
 ];
 
 pub(super) const BLOCKS: &[(&str, Block)] = &[
