@@ -103,7 +103,7 @@ pub(super) const CUES: &[Cue] = &[
     Before("für alle", Role::All),
     Before("für beliebige", Role::All),
     Before("für jede", Role::All),
-    Before("stets", "zunächst", Role::Always),
+    Before("stets", Role::Always),
     Before("immer", Role::Always),
     Before("gilt stets", Role::Always),
     Before("gilt immer", Role::Always),
@@ -177,6 +177,7 @@ pub(super) const FILLERS: &[&str] = &[
     "alle",
     "jedes",
     "jede",
+    "stets",
     "stets",
     "zunächst",
 ];
