@@ -166,11 +166,13 @@ pub(super) fn without_asides<'a>(
             continue;
         };
         let says = match phrase(inside, function) {
-            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
+            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length))
+                if length < inside.len() =>
+            {
                 is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
             }
-            // 1, 3, 2 (Bézier)
-            Some((Phrase::Function("bezier" | "bspline"), length)) => length == inside.len(),
+            // 1, 3, 2 (Bézier); 0, 0, 1, 1 (linear)
+            Some((Phrase::Function("bezier" | "bspline") | Phrase::Degree(_), length)) => length == inside.len(),
             _ => false,
         };
         if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {

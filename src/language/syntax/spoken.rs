@@ -132,8 +132,20 @@ pub(crate) fn request(
         matches!(
             part,
             Part::Phrase(
-                Phrase::Function("maximum" | "minimum" | "max" | "min" | "support")
-                    | Phrase::Command("maximum" | "minimum" | "max" | "min"),
+                Phrase::Function(
+                    "maximum"
+                        | "minimum"
+                        | "max"
+                        | "min"
+                        | "support"
+                        | "roots"
+                        | "critical_points"
+                        | "inflections"
+                        | "intersections"
+                        | "double_points"
+                        | "cross"
+                ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
+                    | Phrase::Vanishes,
                 _
             )
         )
@@ -142,6 +154,7 @@ pub(crate) fn request(
         return None;
     }
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
+    let parts = meant::vanishing(parts);
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
     let parts = meant::settled(text, asks::from_one_to_another(parts));
     let mut reader = Reader { text, parts, at: 0 };

@@ -535,7 +535,7 @@ mod tests {
             let failure = Session::default().run(text).map(|answer| answer.outcome.value).unwrap_err();
             assert!(!failure.problem.message.contains("not read here"), "{text}");
         }
-        let failure = Session::default().run("midpoint of the bezier 4, 0, 2").unwrap_err();
-        assert!(failure.problem.message.starts_with("'midpoint'"));
+        let failure = Session::default().run("apex of the bezier 4, 0, 2").unwrap_err();
+        assert!(failure.problem.message.starts_with("'apex'"));
     }
 }

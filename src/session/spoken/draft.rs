@@ -26,6 +26,15 @@ pub(super) fn is_points(items: &[Expr]) -> bool {
     !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
 }
 
+/// Whether they are formulas in one parameter, with parentheses around them.
+fn is_coordinates(item: &Expr) -> bool {
+    let Kind::Tuple(coordinates) = &item.kind else { return false };
+    let mut names: Vec<String> = coordinates.iter().flat_map(bases).collect();
+    names.sort();
+    names.dedup();
+    matches!(coordinates.len(), 2 | 3) && matches!(names.as_slice(), [one] if roles::is_variable(one))
+}
+
 pub(super) fn list(items: Vec<Expr>) -> Expr {
     let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
     Expr::new(Kind::List(items), span)
@@ -83,6 +92,12 @@ impl Draft {
             self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
             return;
         }
+        // The acceleration is the second derivative.
+        const SECOND: &[&str] = &["accel", "beschleunig", "accél", "acele", "加速"];
+        if self.builtin.name == "derivative" && SECOND.iter().any(|own| phrase.starts_with(own)) {
+            self.named.push(("k", Expr { span: self.phrase, ..Expr::int(2) }));
+            return;
+        }
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
             let found =
@@ -118,9 +133,21 @@ impl Draft {
         said.iter().position(subject).map_or_else(Vec::new, |at| said.remove(at).items)
     }
 
+    /// Whether formulas are the coordinates of a curve that is wanted: the curve (t, t^2).
+    fn wants_coordinates(&self, items: &[Expr]) -> bool {
+        let of_curve = self.builtin.on_curve.is_some_and(|own| own.parameters.len() < 3)
+            && self.builtin.parameters.first().is_some_and(|first| first.kind == Takes::Scalar);
+        let takes = |first: &Parameter| matches!(first.kind, Takes::Curve | Takes::Geometry);
+        (of_curve || self.builtin.name != "bezier" && self.builtin.parameters.first().is_some_and(takes))
+            && matches!(items, [one] if is_coordinates(one))
+    }
+
     /// Whether a curve is wanted, for which there are points.
     pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return false };
+        if self.wants_coordinates(items) {
+            return false;
+        }
         match first.kind {
             // the derivative of 0, 1, 3
             Takes::Function => {
@@ -155,10 +182,15 @@ impl Draft {
         if items.is_empty() {
             return first.kind == Takes::Size;
         }
+        if self.wants_coordinates(&items)
+            && let [Expr { kind: Kind::Tuple(coordinates), span }] = items.as_slice()
+        {
+            items = vec![call("curve_of", vec![list(coordinates.clone())], *span)];
+        }
         // the area under y = x^2
         if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
             && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
-            && first.kind.is_formula()
+            && (first.kind.is_formula() || first.kind == Takes::Polar)
             && y == "y"
             && !bases(expr).contains(y)
             && self.builtin.on_equations.is_none()

@@ -16,6 +16,9 @@ impl Session {
     pub(in crate::session) fn called_in_words(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
         let text = file.slice(whole).trim_start();
         let name: &str = text.split('(').next().filter(|name| name.len() < text.len())?.trim_end();
+        if let Some(value) = self.polar_value(file, whole, name) {
+            return Some(value);
+        }
         let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !plain || defines(&self.env, name) || function_called(name).is_some() {
             return None;
@@ -51,6 +54,27 @@ impl Session {
             _ => in_places(builtin, arguments),
         };
         Some(applied(Expr { span: callee.span, ..Expr::name(function) }, arguments, whole))
+    }
+}
+
+impl Session {
+    /// The value of a polar form whose arguments stand behind its polynomial: blossom(t^2, u, v).
+    fn polar_value(&self, file: &SourceFile, whole: Span, name: &str) -> Option<Expr> {
+        if function_called(name) != Some("polar") || defines(&self.env, name) {
+            return None;
+        }
+        let Kind::Apply(callee, groups) = self.read(file, whole).ok()?.kind else { return None };
+        let [arguments] = groups.as_slice() else { return None };
+        let [formula, first, rest @ ..] = arguments.as_slice() else { return None };
+        // polar(t^2, 3, t) has a degree and a letter.
+        let letter = |item: &Expr| matches!(item.kind, Kind::Name(_));
+        let degree = first.as_int().is_some() && rest.len() == 1 && letter(&rest[0]);
+        let equation = |item: &Expr| matches!(item.kind, Kind::Chain(..));
+        if rest.is_empty() || degree || arguments.iter().any(equation) {
+            return None;
+        }
+        let form = call("polar", vec![formula.clone()], callee.span);
+        Some(applied(form, arguments.get(1..)?.to_vec(), whole))
     }
 }
 

@@ -6,9 +6,12 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::written::names::bases;
 use crate::language::eval;
-use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
+use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Gives, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
 use crate::session::given::is_equation;
+
+/// The chapter of functions of which the first argument is a polynomial whose values are looked at.
+const ROOTS: &str = "Roots of polynomials";
 
 /// A request, read.
 #[derive(Clone, Default)]
@@ -252,6 +255,13 @@ impl Utterance {
             inner.builtin = count;
             self.drafts.remove(0);
         }
+        // how many sign changes
+        if let [outer, inner, ..] = self.drafts.as_slice()
+            && outer.builtin.name == "length"
+            && inner.builtin.gives == Gives::Count
+        {
+            self.drafts.remove(0);
+        }
         // the point at 1/3 on the curve (0, 0), (1, 2), (2, 0)
         if self.drafts.is_empty() && self.items.is_empty() && !self.says(Label::Points) {
             let curve = |read: &&mut Read| {
@@ -263,6 +273,7 @@ impl Utterance {
                 read.label = Label::Points;
             }
         }
+        self.curve_of_degree();
         self.meeting();
         self.roots_within();
         self.value_outside();
@@ -298,6 +309,25 @@ impl Utterance {
         }
         self.curve_for_function();
         apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// Numbers or points that are called a quadratic or a cubic are a curve for functions of polynomials: the extrema of the cubic
+    /// 0, 1, 3, 2.
+    fn curve_of_degree(&mut self) {
+        let of_values = |draft: &Draft| {
+            matches!(draft.builtin.name, "max" | "min" | "midpoint" | "slope" | "tangent_line")
+                || draft.builtin.topic == ROOTS
+        };
+        let Some(innermost) = self.drafts.last().filter(|draft| of_values(draft)) else { return };
+        let count = i64::try_from(self.items.len()).unwrap_or(0) - 1;
+        let counted = self.said.iter().any(|read| {
+            read.label == Label::OfDegree
+                && matches!(read.items.as_slice(), [degree] if degree.as_int() == Some(count))
+        });
+        if let (true, true, Some(bezier)) = (counted, count > 0, builtin("bezier")) {
+            let phrase = innermost.phrase;
+            self.drafts.push(Draft::new(bezier, phrase));
+        }
     }
 
     /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.

@@ -9,6 +9,8 @@ use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 /// The parts of a request with the phrases in place of which others are meant.
 pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     methods(&mut parts);
+    crossings(text, &mut parts);
+    between(&mut parts);
     ends(&mut parts);
     of_derivative(&mut parts);
     basis_function(text, &mut parts);
@@ -26,6 +28,63 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
     parts
+}
+
+/// Where something vanishes are its roots; else it is claimed to be 0.
+pub(super) fn vanishing(mut parts: Vec<Part>) -> Vec<Part> {
+    let asks_where = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _)));
+    while let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Vanishes, _))) {
+        let (Part::Piece(span) | Part::Phrase(_, span)) = parts[at];
+        let meant: &[Phrase] = match asks_where {
+            true => &[Phrase::Function("roots")],
+            false => &[Phrase::Equals, Phrase::Degree(0)],
+        };
+        parts.splice(at..=at, meant.iter().map(|phrase| Part::Phrase(*phrase, span)));
+    }
+    // Where does the curve meet the line? That asks for no yes or no.
+    if asks_where {
+        parts.retain(|part| !matches!(part, Part::Phrase(Phrase::Is, _)));
+    }
+    parts
+}
+
+/// A curve that crosses a line meets it: (0, 0), (1, 2), (2, 0) crosses y = 1/2.
+fn crossings(text: &str, parts: &mut [Part]) {
+    for at in 1..parts.len().saturating_sub(1) {
+        if let (Part::Phrase(Phrase::Function("cross"), span), Part::Piece(line)) = (parts[at], parts[at + 1])
+            && begins_equation(text.piece(line.range()))
+        {
+            parts[at] = Part::Phrase(Phrase::Function("intersections"), span);
+        }
+    }
+}
+
+/// A function of two things whose name stands between them goes before both: the curve passes through the point.
+fn between(parts: &mut Vec<Part>) {
+    let two = |part: &Part| matches!(part, Part::Phrase(Phrase::Function("inversion" | "intersections"), _));
+    let Some(at) = parts.iter().position(two).filter(|at| *at > 0 && *at + 2 == parts.len()) else { return };
+    if !parts[..at].iter().any(|part| matches!(part, Part::Piece(_))) {
+        return;
+    }
+    let function = parts.remove(at);
+    let (Part::Piece(span) | Part::Phrase(_, span)) = function;
+    let label = match function {
+        Part::Phrase(Phrase::Function("inversion"), _) => Label::At,
+        _ => Label::With,
+    };
+    parts.insert(at, Part::Phrase(Phrase::Label(label), span));
+    if matches!(parts.first(), Some(Part::Phrase(Phrase::Is, _))) {
+        parts.remove(0);
+    }
+    parts.insert(0, function);
+}
+
+/// One pair or triple of formulas with a letter: (t, t^2).
+fn is_coordinates(text: &str, part: Option<&Part>) -> bool {
+    matches!(part, Some(Part::Piece(span)) if {
+        let inside = text.piece(span.range()).strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
+        inside.is_some_and(|inside| inside.contains(['t', 'u', 's']) && !inside.contains(['_', '[']) && !inside.contains("),"))
+    })
 }
 
 fn several(text: &str, part: Option<&Part>) -> bool {
@@ -178,7 +237,8 @@ fn curves(text: &str, parts: &mut Vec<Part>) {
                         _
                     ))
                 );
-        if !others && (points || with || several(text, parts.get(at + 1))) {
+        let listed = several(text, parts.get(at + 1)) && !is_coordinates(text, parts.get(at + 1));
+        if !others && (points || with || listed) {
             parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
             // on the curve 0, 1, 3
             if at > 0
@@ -290,9 +350,20 @@ fn behind(text: &str, parts: &mut Vec<Part>) {
 /// Weights that are brought to standard form: normalise the weights 1, 2, 4; the standard form of the weights 1, 2, 4.
 fn weights(text: &str, parts: &mut Vec<Part>) {
     let of_weights = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Label(Label::Weights), _)));
-    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))) {
-        let curve = |part: &Part| matches!(part, Part::Phrase(Phrase::Is | Phrase::Function("bezier"), _));
-        parts.retain(|part| !curve(part));
+    if let Some(kind) =
+        parts.iter().find(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))).copied()
+    {
+        // Ellipse, parabola or hyperbola: each is one of the answers.
+        let named = |part: &Part| match part {
+            Part::Phrase(Phrase::Degree(2), span) => text.piece(span.range()).to_lowercase().starts_with("para"),
+            Part::Phrase(
+                Phrase::Is | Phrase::Or | Phrase::Function("bezier" | "bspline" | "conic_kind"),
+                _,
+            ) => true,
+            _ => false,
+        };
+        parts.retain(|part| !named(part));
+        parts.insert(0, kind);
         return;
     }
     // A vector is normalised in another way.

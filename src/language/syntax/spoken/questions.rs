@@ -42,6 +42,15 @@ impl Reader<'_> {
             let request = Request::Formula(vec![*left], Vec::new());
             return Some(Asked { request, equals: Some(What::Formula(*right)) });
         }
+        // are B_1^2 and 2t(1 - t) equal?
+        if let Some(
+            [Part::Piece(left), Part::Phrase(Phrase::And, _), Part::Piece(right), Part::Phrase(Phrase::Equals, _)],
+        ) = self.parts.get(self.at..)
+        {
+            self.at += 4;
+            let request = Request::Formula(vec![*left], Vec::new());
+            return Some(Asked { request, equals: Some(What::Formula(*right)) });
+        }
         // does t^3 - t have roots in [0, 1]?
         let finds = |part: &Part| {
             matches!(

@@ -77,9 +77,15 @@ impl Reader<'_> {
             reader.at += 1;
             Some(span)
         };
+        let text = self.text;
+        let is_range = |span: Span| begins_equation(text.piece(span.range()));
         while self.take(Phrase::Of) {}
+        // the sum from k = 1 to 5 of k^3
+        let leads = matches!(self.parts.get(self.at + 1), Some(Part::Piece(span)) if is_range(*span));
+        if leads && matches!(self.phrase(), Some(Phrase::Label(Label::From | Label::With | Label::Over))) {
+            self.at += 1;
+        }
         let first = piece(self)?;
-        let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
         let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
         let mut end = None;
         let mut index = None;
@@ -92,6 +98,14 @@ impl Reader<'_> {
         }
         while let Some(next) = self.phrase() {
             match next {
+                // die Summe der k^2 von k = 1 bis 5
+                Phrase::Of
+                    if range.is_none()
+                        && matches!(self.parts.get(self.at + 1), Some(Part::Piece(span)) if is_range(*span)) =>
+                {
+                    self.at += 1;
+                    range = Some(piece(self)?);
+                }
                 Phrase::Of if body.is_none() => {
                     self.at += 1;
                     body = Some(piece(self)?);
