@@ -19,7 +19,7 @@ mod values;
 
 use self::draft::Draft;
 use self::utterance::Utterance;
-use self::values::{Nature, Values, value_of};
+use self::values::{Nature, Values, has_values, is_in_t, value_of};
 use std::cell::Cell;
 
 use super::{Failure, Session, defines};
@@ -110,6 +110,9 @@ impl Reader<'_> {
             _ => None,
         };
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
+        if let Some(laws) = self.laws_of(&asked) {
+            return Ok(Some(laws));
+        }
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
         }
@@ -149,11 +152,16 @@ impl Reader<'_> {
                         Some(right) => equation(one.clone(), right),
                         None => one.clone(),
                     }),
+                    ([one], [read]) if claimed.is_some() => {
+                        self.value_at(one, read).and_then(|value| Some(equation(value, claimed?)))
+                    }
                     ([one], [read]) => self.value_at(one, read).or_else(|| {
                         self.values_at(one, std::slice::from_ref(read)).filter(|_| read.label == Label::At)
                     }),
                     // t^2 at 2 and at 3
-                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => {
+                    ([one], reads)
+                        if claimed.is_none() && reads.iter().all(|read| read.label == Label::At) =>
+                    {
                         self.values_at(one, reads)
                     }
                     _ => None,
@@ -255,7 +263,13 @@ impl Reader<'_> {
                 }
                 Request::Formula(spans, labels) => {
                     let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
+                    let form = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "laws");
                     for span in spans {
+                        // u v is a product here, no list.
+                        if form {
+                            asked.items.push(self.with_products(self.one(span)?));
+                            continue;
+                        }
                         match self.in_brackets(span).filter(|_| polar) {
                             Some(value) => asked.items.push(value?),
                             None => asked.items.extend(self.items(span)?),
@@ -563,8 +577,9 @@ impl Reader<'_> {
             },
             _ => None,
         };
-        if function.is_some_and(|function| function.gives == Gives::Function && function.name != "derivative")
-        {
+        if function.is_some_and(|function| {
+            function.gives == Gives::Function && !matches!(function.name, "derivative" | "bernstein")
+        }) {
             return Nature::Other;
         }
         match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
@@ -574,6 +589,8 @@ impl Reader<'_> {
             },
             Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
             Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
+            Ok(Outcome { value: Value::List(items), .. }) if items.iter().all(has_values) => Nature::Several,
+            Ok(Outcome { value: Value::List(items), .. }) if items.iter().all(is_in_t) => Nature::Formulas,
             Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => {
                 Nature::OfOne
             }

@@ -111,7 +111,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "from_roots",
         parameters: &[
-            required("roots", Takes::Scalars, "the roots, each as often as it is repeated").shown("[r_1, ..., r_n]"),
+            required("roots", Takes::Scalars, "the roots, each as often as it is repeated")
+                .shown("[r_1, ..., r_n]"),
             super::parameter::RESULT_VARIABLE,
         ],
         summary: "the monic polynomial with these roots",
@@ -120,7 +121,9 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let letter = Fraction::from(MultiPoly::symbol(args.letter()?));
             let factors = args.scalars(0)?.into_iter().map(|root| letter.minus(&root));
-            Ok(Value::Scalar(factors.fold(Fraction::from(integer(1)), |product, factor| product.times(&factor))))
+            Ok(Value::Scalar(
+                factors.fold(Fraction::from(integer(1)), |product, factor| product.times(&factor)),
+            ))
         },
         ..OF_FORMULAS
     },
@@ -170,7 +173,8 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let (formula, slope, variable) = slope_of(args)?;
             let at = args.scalar(1)?;
-            let value = |of: &Fraction| of.substitute(&[(variable.clone(), at.clone())]).map_err(|_| pole(args));
+            let value =
+                |of: &Fraction| of.substitute(&[(variable.clone(), at.clone())]).map_err(|_| pole(args));
             let run = Fraction::from(MultiPoly::symbol(variable.clone())).minus(&at);
             Ok(Value::Scalar(value(&formula)?.plus(&value(&slope)?.times(&run))))
         },
@@ -220,7 +224,8 @@ pub(super) const TABLE: &[Builtin] = &[
         }),
         call: |_, args| {
             let given = args.value(0)?;
-            let (points, _) = points_of(given).ok_or_else(|| Takes::Points.refuses(given).at(args.span(0)))?;
+            let (points, _) =
+                points_of(given).ok_or_else(|| Takes::Points.refuses(given).at(args.span(0)))?;
             length_of(&points, args)
         },
         ..Builtin::about("Lengths and areas")
@@ -278,12 +283,12 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cross_ratio",
         parameters: &[
-            required("a", Takes::Scalar, "the first number"),
-            required("b", Takes::Scalar, "the second"),
-            required("c", Takes::Scalar, "the third"),
-            required("d", Takes::Scalar, "the fourth"),
+            required("p", Takes::Scalar, "the first number"),
+            required("q", Takes::Scalar, "the second"),
+            required("r", Takes::Scalar, "the third"),
+            required("s", Takes::Scalar, "the fourth"),
         ],
-        summary: "(c - a)(d - b)/((c - b)(d - a)) of four numbers",
+        summary: "(r - p)(s - q)/((r - q)(s - p)) of four numbers",
         gives: Gives::Scalar,
         example: "cross_ratio(0, 1, 2, 3)",
         call: |_, args| {
@@ -292,7 +297,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let inverse = below.inverse().ok_or_else(|| {
                 Diagnostic::error(Code::DivisionByZero, "two of the numbers are equal")
                     .at(args.span(1))
-                    .hint("b and c differ, and so do a and d")
+                    .hint("q and r differ, and so do p and s")
             })?;
             Ok(Value::Scalar(c.minus(&a).times(&d.minus(&b)).times(&inverse)))
         },
@@ -377,7 +382,9 @@ fn pole(args: &Arguments) -> Diagnostic {
 
 /// The edges together; where a length is not rational, the bounds of the whole.
 fn length_of(points: &[Point<Fraction>], args: &Arguments) -> Result<Value> {
-    let number = |point: &Point<Fraction>| -> Option<Point<Rational>> { point.iter().map(Fraction::as_rational).collect() };
+    let number = |point: &Point<Fraction>| -> Option<Point<Rational>> {
+        point.iter().map(Fraction::as_rational).collect()
+    };
     let points: Option<Vec<Point<Rational>>> = points.iter().map(number).collect();
     let points = points.ok_or_else(|| {
         Diagnostic::error(Code::Type, "numbers are needed as points")

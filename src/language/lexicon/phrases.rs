@@ -214,7 +214,7 @@ fn says(written: &str, name: &str) -> bool {
 ///
 /// A phrase ends with a word, but for those of languages that set no blanks.
 pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<(Phrase, usize)> {
-    const LONGEST: usize = 5;
+    const LONGEST: usize = 6;
     const SHORTEST_NAME: usize = 3;
     if text.starts_with(is_ideograph) {
         let second = text.char_indices().nth(1).map_or(text.len(), |(at, _)| at);
@@ -309,8 +309,7 @@ pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
         return None;
     }
     let named = |phrase: &Phrase| matches!(phrase, Function(_) | Command(_));
-    let mut close =
-        all().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
+    let mut close = all().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
     close.find(|name| {
         let stem = name.trim_end_matches('~');
         // No word in letters is meant for one with other signs.

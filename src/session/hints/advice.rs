@@ -134,6 +134,10 @@ impl Session {
         });
         let about = topics::advice(&small.join(" "));
         let without = self.without_words(text, found, misspelled);
+        let without = without.or_else(|| {
+            let (query, clause) = self.without_clause(text)?;
+            Some(format!("without '{clause}' it is {query}"))
+        });
         let read_without = without.is_some();
         if let Some(hint) = without {
             problem = problem.hint(hint);
@@ -309,7 +313,7 @@ impl Session {
     }
 
     /// A query as it is written, if it has an answer.
-    fn tried(&self, query: Expr) -> Option<String> {
+    pub(super) fn tried(&self, query: Expr) -> Option<String> {
         let written = write::text(&query);
         let mut there = self.clone();
         there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };
@@ -454,12 +458,7 @@ impl Session {
 
 /// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
 fn matters(text: &str, span: Span) -> bool {
-    const DENYING: &[&str] = &[
-        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean",
-        "average", "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte",
-        "erste", "mittlere", "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
-    ];
-    if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
+    if asking::denies(text.piece(span.range())) {
         return true;
     }
     match phrase(text.piece(span.end..).trim_start(), &|name| function_called(name)) {

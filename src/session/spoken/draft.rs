@@ -26,6 +26,24 @@ pub(super) fn is_points(items: &[Expr]) -> bool {
     !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
 }
 
+/// The name and the value in t = 1, also in x(t) = t^2.
+fn named_value(item: &Expr) -> Option<(String, Expr)> {
+    if let Some((name, value)) = eval::named(item) {
+        return Some((name, value.clone()));
+    }
+    let Kind::Chain(left, links) = &item.kind else { return None };
+    let ([Link { rel: Rel::Eq, expr, .. }], Kind::Apply(callee, groups)) = (links.as_slice(), &left.kind)
+    else {
+        return None;
+    };
+    let letter =
+        matches!(groups.as_slice(), [one] if matches!(one.as_slice(), [Expr { kind: Kind::Name(_), .. }]));
+    match &callee.kind {
+        Kind::Name(name) if letter => Some((name.clone(), expr.clone())),
+        _ => None,
+    }
+}
+
 /// Whether they are formulas in one parameter, with parentheses around them.
 fn is_coordinates(item: &Expr) -> bool {
     let Kind::Tuple(coordinates) = &item.kind else { return false };
@@ -124,6 +142,8 @@ impl Draft {
                     && (read.items.len() > 1 || matches!(&read.items[0].kind, Kind::List(_)))
             }
             Label::Nodes => first.name == "nodes",
+            // sign changes in 1, -2, 3
+            Label::In => first.kind == Takes::Scalars && read.items.len() > 2,
             Label::With => {
                 !matches!(first.kind, Takes::Size)
                     && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
@@ -170,7 +190,10 @@ impl Draft {
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
                 // two curves
-                _ => items.len() > 1 && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..))),
+                _ => {
+                    items.len() > 1
+                        && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..) | Kind::Chain(..)))
+                }
             },
             _ => false,
         }
@@ -190,7 +213,9 @@ impl Draft {
         // the area under y = x^2
         if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
             && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
-            && (first.kind.is_formula() || first.kind == Takes::Polar)
+            && (first.kind.is_formula()
+                || first.kind == Takes::Polar
+                || self.builtin.name == "control_points")
             && y == "y"
             && !bases(expr).contains(y)
             && self.builtin.on_equations.is_none()
@@ -214,7 +239,7 @@ impl Draft {
             && matches!(first.kind, Takes::Curve | Takes::Any | Takes::OneOf(_) | Takes::Geometry)
         {
             let coordinate = |read: &Read| match read.items.as_slice() {
-                [item] => eval::named(item).is_some_and(|(name, _)| name == "y" || name == "z"),
+                [item] => named_value(item).is_some_and(|(name, _)| name == "y" || name == "z"),
                 _ => false,
             };
             items.extend(said.extract_if(.., |read| coordinate(read)).flat_map(|read| read.items));
@@ -224,7 +249,7 @@ impl Draft {
             && items.len() > 1
         {
             let coordinate = |(item, letter): (&Expr, &str)| {
-                eval::named(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula.clone())
+                named_value(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula)
             };
             let coordinates: Option<Vec<Expr>> = items.iter().zip(["x", "y", "z"]).map(coordinate).collect();
             if let Some(coordinates) = coordinates.filter(|own| own.len() == items.len()) {

@@ -69,8 +69,13 @@ impl Session {
         // polar(t^2, 3, t) has a degree and a letter.
         let letter = |item: &Expr| matches!(item.kind, Kind::Name(_));
         let degree = first.as_int().is_some() && rest.len() == 1 && letter(&rest[0]);
-        let equation = |item: &Expr| matches!(item.kind, Kind::Chain(..));
-        if rest.is_empty() || degree || arguments.iter().any(equation) {
+        let simple = |item: &Expr| {
+            letter(item)
+                || item.as_signed_int().is_some()
+                || matches!(item.kind, Kind::Div(..) | Kind::Subscript(..))
+        };
+        let own = matches!(&callee.kind, Kind::Name(own) if own == name);
+        if rest.is_empty() || degree || !own || !arguments.iter().skip(1).all(simple) {
             return None;
         }
         let form = call("polar", vec![formula.clone()], callee.span);

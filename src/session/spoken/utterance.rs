@@ -8,6 +8,7 @@ use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Gives, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
+use crate::language::lexicon::roles;
 use crate::session::given::is_equation;
 
 /// The chapter of functions of which the first argument is a polynomial whose values are looked at.
@@ -35,6 +36,16 @@ pub(super) struct Utterance {
 impl Utterance {
     /// Takes what a label says.
     pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
+        // at t = 0, 1/2, 1
+        let mut items = items;
+        if let (Label::At, [first, rest @ ..]) = (label, items.as_mut_slice())
+            && let Some((name, value)) = eval::named(first).map(|(name, value)| (name, value.clone()))
+            && !rest.is_empty()
+            && roles::is_variable(&name)
+            && rest.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
+        {
+            *first = value;
+        }
         // in t = 1
         let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
         let met = label == Label::Through;
@@ -274,6 +285,7 @@ impl Utterance {
             }
         }
         self.curve_of_degree();
+        self.spline_of_data();
         self.meeting();
         self.roots_within();
         self.value_outside();
@@ -309,6 +321,27 @@ impl Utterance {
         }
         self.curve_for_function();
         apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// B-splines with points are a curve; control points that a polynomial has over knots are those of its spline.
+    fn spline_of_data(&mut self) {
+        if !self.says(Label::Knots) {
+            return;
+        }
+        // Marsden's coefficients for quadratic B-splines
+        if self.drafts.iter().any(|draft| draft.builtin.name == "spline_of") {
+            self.drafts.retain(|draft| draft.builtin.name != "bspline_basis");
+        }
+        let points = self.items.len() > 1 && !self.says(Label::Points);
+        let formula =
+            matches!(self.items.as_slice(), [Expr { kind: Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..), .. }]);
+        let Some(innermost) = self.drafts.last_mut() else { return };
+        let meant = match innermost.builtin.name {
+            "bspline_basis" if points => "bspline",
+            "coefficients" | "control_points" | "bezier_points" if formula => "spline_of",
+            _ => return,
+        };
+        innermost.builtin = builtin(meant).unwrap_or(innermost.builtin);
     }
 
     /// Numbers or points that are called a quadratic or a cubic are a curve for functions of polynomials: the extrema of the cubic

@@ -15,7 +15,7 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
     ),
     (
         Function("mean_value"),
-        "mean value | average value | mittelwert | durchschnittswert | valeur moyenne | valor medio | valor promedio | \
+        "mean value | average value | mean value of | average of | mean of | moyenne de | promedio de | mittelwert von | mittelwert | durchschnittswert | valeur moyenne | valor medio | valor promedio | \
          valore medio | 平均值",
     ),
     (
@@ -85,6 +85,13 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
          verschwinden | ist null | gleich null | null wird | s'annule | s'annulle | est nul | est nulle | égal à zéro | se anula | \
          es cero | igual a cero | si annulla | uguale a zero | 为零 | 等于零",
     ),
+    (
+        Function("expand"),
+        "as polynomial | as polynomial in | as power series in | in powers of | als polynom | als polynom in | nach potenzen von | \
+         in potenzen von | comme polynôme | comme polynôme en | en puissances de | como polinomio | como polinomio en | en potencias de | \
+         come polinomio | come polinomio in | in potenze di",
+    ),
+    (Function("roots"), "zero"),
     (
         Phrase::Where,
         "at which t | at what t | at which parameter | at what parameter | at which parameter value | at which parameters | \

@@ -1,13 +1,18 @@
 //! What phrases mean beside each other, before the request is read: Bernstein coefficients that are given are points, a cubic
 //! spline with control points is a B-spline.
 
+use super::moved::{between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves};
 use super::pairs::is_order;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 /// The parts of a request with the phrases in place of which others are meant.
-pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
+pub(super) fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
+    names_of_objects(text, &mut parts, known);
+    points_on_curves(text, &mut parts);
+    degrees_before(text, &mut parts);
+    in_letters(text, &mut parts);
     methods(&mut parts);
     crossings(text, &mut parts);
     between(&mut parts);
@@ -28,55 +33,6 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
     parts
-}
-
-/// Where something vanishes are its roots; else it is claimed to be 0.
-pub(super) fn vanishing(mut parts: Vec<Part>) -> Vec<Part> {
-    let asks_where = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _)));
-    while let Some(at) = parts.iter().position(|part| matches!(part, Part::Phrase(Phrase::Vanishes, _))) {
-        let (Part::Piece(span) | Part::Phrase(_, span)) = parts[at];
-        let meant: &[Phrase] = match asks_where {
-            true => &[Phrase::Function("roots")],
-            false => &[Phrase::Equals, Phrase::Degree(0)],
-        };
-        parts.splice(at..=at, meant.iter().map(|phrase| Part::Phrase(*phrase, span)));
-    }
-    // Where does the curve meet the line? That asks for no yes or no.
-    if asks_where {
-        parts.retain(|part| !matches!(part, Part::Phrase(Phrase::Is, _)));
-    }
-    parts
-}
-
-/// A curve that crosses a line meets it: (0, 0), (1, 2), (2, 0) crosses y = 1/2.
-fn crossings(text: &str, parts: &mut [Part]) {
-    for at in 1..parts.len().saturating_sub(1) {
-        if let (Part::Phrase(Phrase::Function("cross"), span), Part::Piece(line)) = (parts[at], parts[at + 1])
-            && begins_equation(text.piece(line.range()))
-        {
-            parts[at] = Part::Phrase(Phrase::Function("intersections"), span);
-        }
-    }
-}
-
-/// A function of two things whose name stands between them goes before both: the curve passes through the point.
-fn between(parts: &mut Vec<Part>) {
-    let two = |part: &Part| matches!(part, Part::Phrase(Phrase::Function("inversion" | "intersections"), _));
-    let Some(at) = parts.iter().position(two).filter(|at| *at > 0 && *at + 2 == parts.len()) else { return };
-    if !parts[..at].iter().any(|part| matches!(part, Part::Piece(_))) {
-        return;
-    }
-    let function = parts.remove(at);
-    let (Part::Piece(span) | Part::Phrase(_, span)) = function;
-    let label = match function {
-        Part::Phrase(Phrase::Function("inversion"), _) => Label::At,
-        _ => Label::With,
-    };
-    parts.insert(at, Part::Phrase(Phrase::Label(label), span));
-    if matches!(parts.first(), Some(Part::Phrase(Phrase::Is, _))) {
-        parts.remove(0);
-    }
-    parts.insert(0, function);
 }
 
 /// One pair or triple of formulas with a letter: (t, t^2).
@@ -355,7 +311,9 @@ fn weights(text: &str, parts: &mut Vec<Part>) {
     {
         // Ellipse, parabola or hyperbola: each is one of the answers.
         let named = |part: &Part| match part {
-            Part::Phrase(Phrase::Degree(2), span) => text.piece(span.range()).to_lowercase().starts_with("para"),
+            Part::Phrase(Phrase::Degree(2), span) => {
+                text.piece(span.range()).to_lowercase().starts_with("para")
+            }
             Part::Phrase(
                 Phrase::Is | Phrase::Or | Phrase::Function("bezier" | "bspline" | "conic_kind"),
                 _,

@@ -42,20 +42,35 @@ impl Reader<'_> {
             matches!(part, Part::Phrase(Phrase::Function("in_bernstein" | "bernstein" | "bezier"), _))
         };
         let curves = self.parts.iter().any(own);
-        while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
-            || self.next().as_ref().is_some_and(own)
-        {
-            self.at += 1;
-        }
         let mut found = Vec::new();
-        while let Some(Part::Piece(span)) = self.next() {
+        loop {
+            let before = self.at;
+            // multiply bezier [1, 2] by bezier [0, 1, 3]
+            while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
+                || self.next().as_ref().is_some_and(own)
+            {
+                self.at += 1;
+            }
+            let Some(Part::Piece(span)) = self.next() else {
+                self.at = before;
+                break;
+            };
             self.at += 1;
             found.push(span);
             let goes_on = [Phrase::And, Phrase::Label(Label::In), Phrase::Label(Label::With)];
+            let more = self.at;
             if !goes_on.into_iter().any(|word| self.take(word)) {
                 break;
             }
+            // in Bernstein form of degree 5
+            if !matches!(self.next(), Some(Part::Piece(_))) && !self.next().as_ref().is_some_and(own) {
+                self.at = more;
+                break;
+            }
         }
+        // The form of the product says nothing of its factors.
+        let formula = |span: &Span| self.text.piece(span.range()).contains(char::is_alphabetic);
+        let curves = curves && !(self.leads_to_form() && found.iter().any(formula));
         let equations = found.iter().any(|span| self.text.piece(span.range()).contains('='));
         // in Bernstein form
         if found.len() > 1 && curves {
@@ -63,7 +78,8 @@ impl Reader<'_> {
                 self.at += usize::from(self.next().as_ref().is_some_and(own));
             }
         }
-        if found.len() > 1 && !equations && self.next().is_none() {
+        let form = self.leads_to_form();
+        if found.len() > 1 && !equations && (self.next().is_none() || form) {
             return Some((found, curves));
         }
         self.at = start;
