@@ -430,13 +430,18 @@ impl Reader<'_> {
     fn of_polygon(&self, asked: &Utterance) -> Option<Diagnostic> {
         let draft = asked.drafts.iter().find(|draft| draft.builtin.name == "arc_length")?;
         let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
+        let own = match asked.items.as_slice() {
+            [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+            items => draft::list(items.to_vec()),
+        };
+        let points = crate::language::write::text(&own);
         ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(
             || {
                 Diagnostic::error(Code::Usage, "the length of the polygon, or of its curve?")
                     .at(draft.phrase)
                     .reason("a polygon is as long as its edges together")
-                    .hint("of the polygon: sum([norm(v) for v = differences([(0, 0), (3, 4), (3, 6)])])")
-                    .hint("of the curve: arc_length(bezier([(0, 0), (3, 4), (3, 6)]))")
+                    .hint(format!("of the polygon: polygon_length({points})"))
+                    .hint(format!("of the curve: arc_length(bezier({points}))"))
             },
         )
     }

@@ -389,13 +389,15 @@ pub(crate) fn clauses(text: &str) -> Vec<(usize, usize)> {
         let apart = next.starts_with(char::is_whitespace);
         let cut = match c {
             '?' | '？' | ';' | '；' | '。' => true,
-            '.' | ':' | '!' | ',' | '，' | '：' => apart || !c.is_ascii(),
+            // 1, 2, 3
+            ',' | '，' => (apart || c == '，') && next.trim_start().starts_with(char::is_alphabetic),
+            '.' | ':' | '!' | '：' => apart || !c.is_ascii(),
             // a curve - its length
             '-' | '–' | '—' => {
                 before == ' ' && next.trim_start().starts_with(char::is_alphabetic) && apart
             }
             // (with steps)
-            '(' => depth == 1 && next.trim_end().ends_with(')'),
+            '(' => depth == 1 && before == ' ' && next.trim_end().ends_with(')'),
             _ => false,
         };
         if cut && (depth == 0 || c == '(' && depth == 1) && !next.trim().is_empty() {

@@ -135,7 +135,8 @@ impl Session {
         let about = topics::advice(&small.join(" "));
         let without = self.without_words(text, found, misspelled);
         let without = without.or_else(|| {
-            let (query, clause) = self.without_clause(text)?;
+            let word = text.piece(found.unknown.first()?.range());
+            let (query, clause) = self.without_clause(text, word, &|query| self.tried(query))?;
             Some(format!("without '{clause}' it is {query}"))
         });
         let read_without = without.is_some();
@@ -220,7 +221,7 @@ impl Session {
         mut failure: Box<Failure>,
     ) -> Box<Failure> {
         const BESIDES: &[&str] = &["on [0, 1]", "at 1/2", "of degree 2"];
-        if failure.problem.code != Code::Arity {
+        if !matches!(failure.problem.code, Code::Arity | Code::Domain) {
             return failure;
         }
         let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | '!');
@@ -313,7 +314,7 @@ impl Session {
     }
 
     /// A query as it is written, if it has an answer.
-    pub(super) fn tried(&self, query: Expr) -> Option<String> {
+    fn tried(&self, query: Expr) -> Option<String> {
         let written = write::text(&query);
         let mut there = self.clone();
         there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };

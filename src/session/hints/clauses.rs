@@ -1,7 +1,7 @@
 //! What a line asks for without one of its clauses, which nobody reads.
 
-use crate::formula::Kind;
 use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind};
 use crate::language::functions::function_in_words;
 use crate::language::lexicon::asking;
 use crate::language::syntax;
@@ -11,8 +11,13 @@ use crate::session::{Session, defines};
 const PLACES: usize = 6;
 
 impl Session {
-    /// The query for what a line asks for without one of its clauses, and that clause.
-    pub(super) fn without_clause(&self, text: &str) -> Option<(String, String)> {
+    /// The query for what a line asks for without the clause in which a word is not read, and that clause.
+    pub(super) fn without_clause(
+        &self,
+        text: &str,
+        word: &str,
+        tried: &dyn Fn(Expr) -> Option<String>,
+    ) -> Option<(String, String)> {
         let known = |word: &str| defines(&self.env, word);
         let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | ':');
         asking::clauses(text).into_iter().take(PLACES).find_map(|(end, start)| {
@@ -23,7 +28,8 @@ impl Session {
                     return None;
                 }
                 let denies = left.split(|c: char| !c.is_alphabetic()).any(asking::denies);
-                let core = Some(core.trim_matches(ends)).filter(|_| !denies)?;
+                let unread = left.contains(word) && !core.contains(word);
+                let core = Some(core.trim_matches(ends)).filter(|_| !denies && unread)?;
                 let file = SourceFile::new("<proposed>", core);
                 let formula = self.spoken(&file, Span::new(0, core.len())).ok()??;
                 // An object alone answers nothing.
@@ -32,7 +38,7 @@ impl Session {
                     return None;
                 }
                 let left = text.get(end..start)?.trim_matches(ends).to_owned() + " " + left.trim_matches(ends);
-                Some((self.tried(formula)?, left.trim().to_owned()))
+                Some((tried(formula)?, left.trim().to_owned()))
             })
         })
     }

@@ -158,7 +158,9 @@ impl Draft {
         let of_curve = self.builtin.on_curve.is_some_and(|own| own.parameters.len() < 3)
             && self.builtin.parameters.first().is_some_and(|first| first.kind == Takes::Scalar);
         let takes = |first: &Parameter| matches!(first.kind, Takes::Curve | Takes::Geometry);
-        (of_curve || self.builtin.name != "bezier" && self.builtin.parameters.first().is_some_and(takes))
+        (of_curve
+            || !matches!(self.builtin.name, "bezier" | "inflections" | "bounding_box" | "arc_length")
+                && self.builtin.parameters.first().is_some_and(takes))
             && matches!(items, [one] if is_coordinates(one))
     }
 
@@ -254,6 +256,10 @@ impl Draft {
             let coordinates: Option<Vec<Expr>> = items.iter().zip(["x", "y", "z"]).map(coordinate).collect();
             if let Some(coordinates) = coordinates.filter(|own| own.len() == items.len()) {
                 let span = coordinates[0].span;
+                // Over which interval is not said.
+                if self.builtin.name == "inflections" {
+                    return false;
+                }
                 items = vec![match first.kind {
                     Takes::Any | Takes::OneOf(_) => list(coordinates),
                     _ => call("curve_of", vec![list(coordinates)], span),
@@ -412,7 +418,10 @@ impl Draft {
             && matches!(read.label, Label::At | Label::With)
         {
             // Of a formula in that name it is the value of the name.
-            if self.placed.iter().any(|formula| bases(formula).contains(&name)) {
+            let place = self.builtin.parameters.get(1).is_some_and(|second| {
+                second.name == "t" && second.need == Need::Required && second.kind == Takes::Scalar
+            });
+            if !place && self.placed.iter().any(|formula| bases(formula).contains(&name)) {
                 return Some(read);
             }
             let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
