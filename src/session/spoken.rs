@@ -506,38 +506,6 @@ impl Reader<'_> {
         }
     }
 
-    /// F[x_0, x_1, …] of a formula in one variable, or of a function: the divided difference of x^3 at 1, 2, 4.
-    fn divided_difference(&self, asked: &Utterance) -> Option<Expr> {
-        let ([Draft { builtin, .. }], [function], [read]) =
-            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
-        else {
-            return None;
-        };
-        let at = matches!(read.label, Label::At | Label::Nodes | Label::Knots | Label::With | Label::Over);
-        if builtin.name != "divided_differences" || !at {
-            return None;
-        }
-        let nodes = match read.items.as_slice() {
-            [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
-            nodes => nodes.to_vec(),
-        };
-        let outcome = self.session.clone().evaluate(&mut function.clone(), Equals::Claims).ok()?;
-        let span = function.span;
-        let function = match &outcome.value {
-            Value::Function(_) => function.clone(),
-            Value::Scalar(formula) => match formula.variables().as_slice() {
-                [variable] => {
-                    let letter = Expr { span, ..symbol_expr(variable) };
-                    Expr::new(Kind::Lambda(vec![letter], Box::new(function.clone())), span).grouped()
-                }
-                _ => return None,
-            },
-            _ => return None,
-        };
-        let nodes = vec![draft::list(nodes)];
-        (nodes.len() == 1).then(|| Expr::new(Kind::Subscript(Box::new(function), nodes), span))
-    }
-
     /// The error for something that is said and that nothing takes.
     fn unused(&self, left: &Read, forms: &[String]) -> Box<Failure> {
         let place = left.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
@@ -594,8 +562,16 @@ impl Reader<'_> {
             },
             Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
             Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
-            Ok(Outcome { value: Value::List(items), .. }) if items.iter().all(has_values) => Nature::Several,
-            Ok(Outcome { value: Value::List(items), .. }) if items.iter().all(is_in_t) => Nature::Formulas,
+            Ok(Outcome { value: Value::List(items), .. })
+                if !items.is_empty() && items.iter().all(has_values) =>
+            {
+                Nature::Several
+            }
+            Ok(Outcome { value: Value::List(items), .. })
+                if !items.is_empty() && items.iter().all(is_in_t) =>
+            {
+                Nature::Formulas
+            }
             Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => {
                 Nature::OfOne
             }

@@ -284,6 +284,7 @@ impl Utterance {
                 read.label = Label::Points;
             }
         }
+        self.values_of_degree();
         self.curve_of_degree();
         self.spline_of_data();
         self.meeting();
@@ -321,6 +322,22 @@ impl Utterance {
         }
         self.curve_for_function();
         apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// One pair of parentheses around the values of a curve: the cubic (0, 1, 0, 2).
+    fn values_of_degree(&mut self) {
+        let [Expr { kind: Kind::Tuple(values), .. }] = self.items.as_slice() else { return };
+        let degree = i64::try_from(values.len()).unwrap_or(0) - 1;
+        let number = |item: &Expr| {
+            item.as_signed_int().is_some() || matches!(item.kind, Kind::Number(_) | Kind::Div(..))
+        };
+        let counted = self.said.iter().any(|read| {
+            read.label == Label::OfDegree
+                && matches!(read.items.as_slice(), [own] if own.as_int() == Some(degree))
+        });
+        if degree > 1 && counted && values.iter().all(number) {
+            self.items = values.clone();
+        }
     }
 
     /// B-splines with points are a curve; control points that a polynomial has over knots are those of its spline.
@@ -469,7 +486,10 @@ impl Utterance {
     /// The value of a curve outside of its interval: extrapolate 0, 1, 3 to t = 2.
     fn value_outside(&mut self) {
         let [Draft { builtin: of, .. }, ..] = self.drafts.as_mut_slice() else { return };
-        let [Read { label: label @ (Label::To | Label::At), items }] = self.said.as_mut_slice() else {
+        let mut others = self.said.iter_mut().filter(|read| read.label != Label::OfDegree);
+        let (Some(Read { label: label @ (Label::To | Label::At), items }), None) =
+            (others.next(), others.next())
+        else {
             return;
         };
         let value = match items.as_slice() {

@@ -51,6 +51,12 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
          polynôme de racines | polynôme ayant pour racines | polynôme avec racines | polinomio con raíces | polinomio de raíces | \
          polinomio con radici",
     ),
+    (
+        Function("conic_centre"),
+        "centre of ellipse | center of ellipse | centre of conic | center of conic | centre of hyperbola | center of hyperbola | \
+         mittelpunkt der ellipse | mittelpunkt des kegelschnitts | centre de la conique | centre de l'ellipse | centro de la elipse | \
+         centro de la cónica",
+    ),
     (Function("midpoint"), "midpoint | mid point | mittelpunkt | point milieu | punto medio | 中点"),
     (
         Function("polygon_length"),

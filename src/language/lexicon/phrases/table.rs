@@ -588,7 +588,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments | \
-         possible | möglich | posible | possibile | equal intervals | wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
+         possible | möglich | posible | possibile | wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \
          corresponding | consider | take | turn | bring | put | make | draw up | work out | derive for me | \
          in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | bitte gib | bitte berechne | \

@@ -62,7 +62,7 @@ pub(super) fn names_of_objects(text: &str, parts: &mut Vec<Part>, known: &dyn Fn
 }
 
 /// A number before a hyphen is a degree: the 3-blossom of t^2.
-pub(super) fn degrees_before(text: &str, parts: &mut Vec<Part>) {
+pub(super) fn degrees_before(text: &str, parts: &mut [Part]) {
     for at in 0..parts.len().saturating_sub(1) {
         let (Part::Piece(number), Part::Phrase(Phrase::Function("polar"), _)) = (parts[at], parts[at + 1])
         else {
