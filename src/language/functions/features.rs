@@ -52,7 +52,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("b", Takes::Number, "no bound", "the upper end"),
             VARIABLE,
         ],
-        summary: "where the derivative is 0, exactly, each place once; of a curve for each of its coordinates",
+        summary: "where the derivative is 0, each place once; of a curve for each coordinate",
         gives: Gives::List,
         example: "critical_points(t^3 - 3t)",
         on_curve: Variant::new(&[CURVE], Gives::List, |args| {
@@ -154,16 +154,18 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "tangent_line",
         parameters: &[required("F", Takes::Scalar, "the formula"), PLACE, VARIABLE],
-        summary: "F(a) + F'(a) (t - a), or of a plane curve the formula in x and y that is 0 on its tangent",
+        summary: "F(a) + F'(a) (t - a), or a formula in x and y that is 0 on the tangent of a curve",
         gives: Gives::Scalar,
         example: "tangent_line(x^2, 3)",
-        on_curve: Variant::new(OF_CURVE, Gives::Scalar, |args| {
+        on_curve: Variant::noting(OF_CURVE, Gives::Scalar, |machine, args| {
             let (point, [x, y]) = jet_in_plane(args)?;
             if x.is_zero() && y.is_zero() {
                 return Err(Diagnostic::error(Code::Domain, "the derivative is 0 there")
                     .at(args.span(1))
                     .hint("take another parameter"));
             }
+            let note = "the tangent is where this is 0";
+            machine.note(Diagnostic::note(Code::StandardMeaning, note).at(args.span(0)));
             let [to_x, to_y] = [0, 1].map(|i| {
                 let letter = Fraction::from(MultiPoly::symbol(Symbol::new(["x", "y"][i])));
                 letter.minus(&point[i])
@@ -183,7 +185,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "bounding_box",
         parameters: &[CURVE],
-        summary: "for each coordinate of a curve the least and the largest value over its interval, exactly",
+        summary: "the least and the largest value of each coordinate of a curve, exactly",
         gives: Gives::List,
         example: "bounding_box(bezier([[0, 0], [1, 2], [2, 0]]))",
         call: |_, args| {
@@ -207,7 +209,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "polygon_length",
         parameters: &[POINTS],
-        summary: "the length of a polygon: exactly where the edges have rational lengths, else bounds [lower, upper]",
+        summary: "the length of a polygon: exactly where its edges are rational, else [lower, upper]",
         gives: Gives::Point,
         example: "polygon_length([[0, 0], [3, 4], [6, 0]])",
         on_curve: Variant::new(&[CURVE], Gives::Point, |args| {

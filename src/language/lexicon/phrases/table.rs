@@ -329,7 +329,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Multiaffine,
-        "multi affine | multiaffine | affine in each argument | affine in each variable | symmetric and affine | symmetric and affine in each argument | symmetric and affine in each variable | symmetric and multiaffine | symmetric and multi affine | symmetric multiaffine | symmetrisch und multiaffin | symmetrisch und affin in jedem argument | symétrique et affine en chaque argument | symétrique et multiaffine | triaffine | symmetric | symmetric biaffine | symmetrisch~ | multiaffin~ | biaffin~ | \
+        "multi affine | affine in each argument | affine in each variable | symmetric and affine | symmetric and affine in each argument | symmetric and affine in each variable | symmetric and multiaffine | symmetric and multi affine | symmetric multiaffine | symmetrisch und multiaffin | symmetrisch und affin in jedem argument | symétrique et affine en chaque argument | symétrique et multiaffine | triaffine | symmetric | symmetric biaffine | symmetrisch~ | multiaffin~ | biaffin~ | \
          symétrique | multi affine symétrique | simétric~ | 对称",
     ),
     (
