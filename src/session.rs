@@ -157,8 +157,16 @@ impl Session {
             Err(failure) => failure,
         };
         // Given b0 = 1, b1 = 3, b2 = 1, find the point at t = 1/2: the definitions are data of a request.
-        let Ok(Some(formula)) = self.spoken(file, whole) else { return Err(failure) };
-        self.evaluated_as(file, formula, whole, equals).map(|answer| vec![answer]).map_err(|_| failure)
+        if let Ok(Some(formula)) = self.spoken(file, whole) {
+            return self
+                .evaluated_as(file, formula, whole, equals)
+                .map(|answer| vec![answer])
+                .map_err(|_| failure);
+        }
+        match self.run_core(file, whole, equals) {
+            Ok(Some(answers)) => Ok(answers),
+            _ => Err(failure),
+        }
     }
 
     /// Runs a part of a file as a formula, a request or a sentence.
@@ -219,7 +227,7 @@ impl Session {
         if let Some(answers) = self.run_continued(file, whole, equals)? {
             return Ok(answers);
         }
-        let found = signs::sign_claim(file.slice(whole));
+        let found = signs::sign_claim(file.slice(whole)).map(|found| self.directed(file, whole, found));
         let certified = match &found {
             Some(found) => {
                 if let Some(shape) =

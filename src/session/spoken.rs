@@ -19,7 +19,7 @@ mod values;
 
 use self::draft::Draft;
 use self::utterance::Utterance;
-use self::values::{Nature, Values, value_of};
+use self::values::{Nature, Values, has_values, is_in_t, value_of};
 use std::cell::Cell;
 
 use super::{Failure, Session, defines};
@@ -110,6 +110,9 @@ impl Reader<'_> {
             _ => None,
         };
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
+        if let Some(laws) = self.laws_of(&asked) {
+            return Ok(Some(laws));
+        }
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
         }
@@ -149,11 +152,16 @@ impl Reader<'_> {
                         Some(right) => equation(one.clone(), right),
                         None => one.clone(),
                     }),
+                    ([one], [read]) if claimed.is_some() => {
+                        self.value_at(one, read).and_then(|value| Some(equation(value, claimed?)))
+                    }
                     ([one], [read]) => self.value_at(one, read).or_else(|| {
                         self.values_at(one, std::slice::from_ref(read)).filter(|_| read.label == Label::At)
                     }),
                     // t^2 at 2 and at 3
-                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => {
+                    ([one], reads)
+                        if claimed.is_none() && reads.iter().all(|read| read.label == Label::At) =>
+                    {
                         self.values_at(one, reads)
                     }
                     _ => None,
@@ -255,7 +263,13 @@ impl Reader<'_> {
                 }
                 Request::Formula(spans, labels) => {
                     let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
+                    let form = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "laws");
                     for span in spans {
+                        // u v is a product here, no list.
+                        if form {
+                            asked.items.push(self.with_products(self.one(span)?));
+                            continue;
+                        }
                         match self.in_brackets(span).filter(|_| polar) {
                             Some(value) => asked.items.push(value?),
                             None => asked.items.extend(self.items(span)?),
@@ -416,13 +430,18 @@ impl Reader<'_> {
     fn of_polygon(&self, asked: &Utterance) -> Option<Diagnostic> {
         let draft = asked.drafts.iter().find(|draft| draft.builtin.name == "arc_length")?;
         let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
+        let own = match asked.items.as_slice() {
+            [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+            items => draft::list(items.to_vec()),
+        };
+        let points = crate::language::write::text(&own);
         ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(
             || {
                 Diagnostic::error(Code::Usage, "the length of the polygon, or of its curve?")
                     .at(draft.phrase)
                     .reason("a polygon is as long as its edges together")
-                    .hint("of the polygon: sum([norm(v) for v = differences([(0, 0), (3, 4), (3, 6)])])")
-                    .hint("of the curve: arc_length(bezier([(0, 0), (3, 4), (3, 6)]))")
+                    .hint(format!("of the polygon: polygon_length({points})"))
+                    .hint(format!("of the curve: arc_length(bezier({points}))"))
             },
         )
     }
@@ -487,38 +506,6 @@ impl Reader<'_> {
         }
     }
 
-    /// F[x_0, x_1, …] of a formula in one variable, or of a function: the divided difference of x^3 at 1, 2, 4.
-    fn divided_difference(&self, asked: &Utterance) -> Option<Expr> {
-        let ([Draft { builtin, .. }], [function], [read]) =
-            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
-        else {
-            return None;
-        };
-        let at = matches!(read.label, Label::At | Label::Nodes | Label::Knots | Label::With | Label::Over);
-        if builtin.name != "divided_differences" || !at {
-            return None;
-        }
-        let nodes = match read.items.as_slice() {
-            [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
-            nodes => nodes.to_vec(),
-        };
-        let outcome = self.session.clone().evaluate(&mut function.clone(), Equals::Claims).ok()?;
-        let span = function.span;
-        let function = match &outcome.value {
-            Value::Function(_) => function.clone(),
-            Value::Scalar(formula) => match formula.variables().as_slice() {
-                [variable] => {
-                    let letter = Expr { span, ..symbol_expr(variable) };
-                    Expr::new(Kind::Lambda(vec![letter], Box::new(function.clone())), span).grouped()
-                }
-                _ => return None,
-            },
-            _ => return None,
-        };
-        let nodes = vec![draft::list(nodes)];
-        (nodes.len() == 1).then(|| Expr::new(Kind::Subscript(Box::new(function), nodes), span))
-    }
-
     /// The error for something that is said and that nothing takes.
     fn unused(&self, left: &Read, forms: &[String]) -> Box<Failure> {
         let place = left.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
@@ -563,8 +550,9 @@ impl Reader<'_> {
             },
             _ => None,
         };
-        if function.is_some_and(|function| function.gives == Gives::Function && function.name != "derivative")
-        {
+        if function.is_some_and(|function| {
+            function.gives == Gives::Function && !matches!(function.name, "derivative" | "bernstein")
+        }) {
             return Nature::Other;
         }
         match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
@@ -574,6 +562,16 @@ impl Reader<'_> {
             },
             Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
             Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
+            Ok(Outcome { value: Value::List(items), .. })
+                if !items.is_empty() && items.iter().all(has_values) =>
+            {
+                Nature::Several
+            }
+            Ok(Outcome { value: Value::List(items), .. })
+                if !items.is_empty() && items.iter().all(is_in_t) =>
+            {
+                Nature::Formulas
+            }
             Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => {
                 Nature::OfOne
             }

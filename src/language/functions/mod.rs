@@ -7,6 +7,7 @@ mod callable;
 mod curves;
 mod derive;
 mod differential;
+mod features;
 mod figures;
 mod geometric;
 mod gives;

@@ -43,8 +43,8 @@ const WIDTH: Parameter = named(
 
 const EXTREME: &[Parameter] = &[
     required("F", Takes::Scalar, "a polynomial or a quotient of polynomials, with numbers as coefficients"),
-    required("a", Takes::Number, "the lower end"),
-    required("b", Takes::Number, "the upper end"),
+    LOWER,
+    UPPER,
     VARIABLE,
 ];
 
@@ -112,7 +112,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "maximum",
         parameters: EXTREME,
-        summary: "the largest value on [a, b], exactly; a note says where it is taken",
+        summary: "the largest value on [a, b] or of all, exactly; a note says where it is taken",
         gives: Gives::Scalar,
         example: "maximum(3t(1 - t)^2, 0, 1)",
         call: |machine, args| extreme(machine, args, true),
@@ -121,7 +121,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "minimum",
         parameters: EXTREME,
-        summary: "the smallest value on [a, b], exactly; a note says where it is taken",
+        summary: "the smallest value on [a, b] or of all, exactly; a note says where it is taken",
         gives: Gives::Scalar,
         example: "minimum(t^3 - t, 0, 1)",
         call: |machine, args| extreme(machine, args, false),
@@ -288,11 +288,54 @@ fn roots(machine: &mut Machine, args: &Arguments) -> Result<Value> {
 fn extreme(machine: &mut Machine, args: &Arguments, largest: bool) -> Result<Value> {
     let formula = args.scalar(0)?;
     let variable = formula::variable_of(&formula, args.variable()?).at(args.span(0))?;
-    let (a, b) = (args.rational(1)?, args.rational(2)?);
+    let (a, b) = match interval(args, 1)? {
+        (Some(a), Some(b)) => (a, b),
+        (a, b) => within_all(args, &formula, &variable, [a, b], largest)?,
+    };
     let within = Within { name: &variable, ends: [&a, &b], open: [false, false] };
     let found = within.extreme(&formula, largest).at(args.span(0))?;
     machine.note(extremes::taken(&found, &variable).at(args.span(0)));
     Ok(Value::root(found.value, &variable))
+}
+
+/// An interval in which the largest or smallest value of a polynomial on a half-line or on all numbers is taken.
+fn within_all(
+    args: &Arguments,
+    formula: &Fraction,
+    variable: &Symbol,
+    [a, b]: [Option<Rational>; 2],
+    largest: bool,
+) -> Result<(Rational, Rational)> {
+    let numbers = |of: Vec<Fraction>| of.iter().map(Fraction::as_rational).collect::<Option<Poly>>();
+    let polynomial = match formula.denominator().as_constant().is_some() {
+        true => numbers(formula::coefficients_in(formula, variable).at(args.span(0))?),
+        false => None,
+    };
+    let Some(polynomial) = polynomial else {
+        return Err(Diagnostic::error(Code::Arity, "an interval is needed here")
+            .at(args.span(0))
+            .hint("without one there is a largest value of polynomials with numbers as coefficients only"));
+    };
+    let slope = polynomial.derivative();
+    let leading = polynomial.leading_coefficient();
+    // Beyond the critical points the values only fall, or rise.
+    let ratios = slope.coefficients().iter().map(|c| (c / slope.leading_coefficient()).abs()).max();
+    let bound = ratios.unwrap_or_default() + integer(1);
+    let even = polynomial.degree().unwrap_or(0).is_multiple_of(2);
+    let falls = |to_left: bool| leading.is_negative() != (to_left && !even);
+    let open_left = a.is_none() && falls(true) != largest;
+    let open_right = b.is_none() && falls(false) != largest;
+    if !slope.is_zero() && (open_left || open_right) {
+        let which = if largest { "largest" } else { "smallest" };
+        let problem = Diagnostic::error(Code::Domain, format!("there is no {which} value"));
+        return Err(problem
+            .at(args.span(0))
+            .reason(if largest { "the values have no upper bound" } else { "the values have no lower bound" })
+            .hint("there is one on an interval: on [0, 1]"));
+    }
+    let lower = a.clone().unwrap_or_else(|| -b.clone().map_or(bound.clone(), |b| b.abs() + &bound));
+    let upper = b.unwrap_or_else(|| a.map_or(bound.clone(), |a| a.abs() + &bound));
+    Ok((lower, upper))
 }
 
 fn root_of(_: &mut Machine, args: &Arguments) -> Result<Value> {

@@ -97,7 +97,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("F", Takes::Polynomial, "the polynomial"),
         ],
         summary: "whether an expression is the polar form of F, and if not, which law fails and why",
-        gives: Gives::List,
+        gives: Gives::Any,
         example: "laws(t1^2, [t1, t2], t^2)",
         call: |_, args| {
             let expression = args.scalar(0)?;

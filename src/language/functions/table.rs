@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use super::record::Builtin;
 use super::{
-    arrange, blends, blossoms, curves, derive, differential, figures, geometric, interpolation,
+    arrange, blends, blossoms, curves, derive, differential, features, figures, geometric, interpolation,
     intersections, joins, matrices, measure, numbers, polar, polynomials, rational, rational_blossoms,
     regions, roots, sections, solve, splines, subdivision, surface_schemes, surfaces, symmetric,
     triangulations, vertices,
@@ -44,6 +44,7 @@ pub static BUILTINS: &[&Builtin] = &{
         polynomials::TABLE,
         arrange::TABLE,
         roots::TABLE,
+        features::TABLE,
         regions::TABLE,
         solve::TABLE,
         matrices::TABLE,

@@ -297,6 +297,119 @@ pub(crate) fn follows_from(text: &str) -> Option<usize> {
     starts_with_one_of(text, THUS)
 }
 
+/// Words that deny, or that say which of several things is meant.
+const DENYING: &[&str] = &[
+    "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean",
+    "average", "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte",
+    "erste", "mittlere", "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
+];
+
+/// Whether a word denies, or says which of several things is meant: not, last.
+pub(crate) fn denies(word: &str) -> bool {
+    DENYING.contains(&word.to_lowercase().as_str())
+}
+
+/// Words that ask for no more than what is asked anyway.
+const ASIDES: &[&str] = &[
+    "please",
+    "show steps",
+    "show your work",
+    "show all steps",
+    "with steps",
+    "with proof",
+    "with all steps",
+    "explain",
+    "explain why",
+    "explain your answer",
+    "why",
+    "why not",
+    "justify",
+    "justify your answer",
+    "prove it",
+    "if possible",
+    "possible",
+    "yes or no",
+    "is that right",
+    "is this right",
+    "correct",
+    "right",
+    "thanks",
+    "thank you",
+    "exactly",
+    "no decimals",
+    "as fractions",
+    "as a fraction",
+    "in lowest terms",
+    "hint",
+    "equal intervals",
+    "mit begründung",
+    "begründe",
+    "warum",
+    "mit rechenweg",
+    "wenn möglich",
+    "ja oder nein",
+    "bitte",
+    "danke",
+    "justifie",
+    "justifier",
+    "justifiez",
+    "pourquoi",
+    "si possible",
+    "oui ou non",
+    "merci",
+    "justifica",
+    "por qué",
+    "por favor",
+    "si es posible",
+    "gracias",
+    "sí o no",
+    "perché",
+    "per favore",
+    "grazie",
+    "为什么",
+    "请",
+    "谢谢",
+    "说明理由",
+];
+
+/// The length of the words with which a text begins, if they ask for nothing more.
+pub(crate) fn aside(text: &str) -> Option<usize> {
+    starts_with_one_of(text, ASIDES)
+}
+
+/// Where a line may be cut into clauses, outside of brackets: the end of the one, the start of the next; the last place first.
+pub(crate) fn clauses(text: &str) -> Vec<(usize, usize)> {
+    let mut depth = 0_i32;
+    let mut found: Vec<(usize, usize)> = super::wanted::conjunctions(text);
+    let mut before = ' ';
+    for (at, c) in text.char_indices() {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        let after = at + c.len_utf8();
+        let next = text.get(after..).unwrap_or_default();
+        let apart = next.starts_with(char::is_whitespace);
+        let cut = match c {
+            '?' | '？' | ';' | '；' | '。' => true,
+            // 1, 2, 3
+            ',' | '，' => (apart || c == '，') && next.trim_start().starts_with(char::is_alphabetic),
+            '.' | ':' | '!' | '：' => apart || !c.is_ascii(),
+            // a curve - its length
+            '-' | '–' | '—' => {
+                before == ' ' && next.trim_start().starts_with(char::is_alphabetic) && apart
+            }
+            // (with steps)
+            '(' => depth == 1 && before == ' ' && next.trim_end().ends_with(')'),
+            _ => false,
+        };
+        if cut && (depth == 0 || c == '(' && depth == 1) && !next.trim().is_empty() {
+            found.push((at, after));
+        }
+        before = c;
+    }
+    found.sort_unstable();
+    found.reverse();
+    found
+}
+
 /// Words behind a claim that say nothing more.
 const TRUTH: &[&str] = &[
     "true or false",

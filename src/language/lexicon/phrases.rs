@@ -1,10 +1,12 @@
 //! What is asked for in words: `polar form of t^3`, `racines de t^2 - 1`, `t^2 的极形式`.
 
+mod features;
 mod table;
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use self::features::FEATURES;
 use self::table::PHRASES;
 use super::letters::is_ideograph;
 use crate::formula::BigOp;
@@ -43,6 +45,8 @@ pub(crate) enum Phrase {
     Equals,
     /// Something has a value somewhere: takes the value.
     Takes,
+    /// Something has the value 0: vanishes.
+    Vanishes,
     /// Values are asked for: for which.
     Which,
     /// A place of a curve or a triangle: in the middle.
@@ -158,10 +162,15 @@ const ENDINGS: &[&str] = &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", 
 /// Words that may stand inside of a phrase: insert the knot.
 const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "les", "el", "los"];
 
+/// All phrases.
+fn all() -> impl Iterator<Item = &'static (Phrase, &'static str)> {
+    PHRASES.iter().chain(FEATURES)
+}
+
 /// The phrases that begin with a word, or with an ideograph.
 static BY_START: LazyLock<HashMap<String, Vec<(Phrase, &str)>>> = LazyLock::new(|| {
     let mut found: HashMap<String, Vec<(Phrase, &str)>> = HashMap::new();
-    for (phrase, names) in PHRASES {
+    for (phrase, names) in all() {
         for name in names.split(" | ") {
             let start = match name.char_indices().nth(1) {
                 Some((second, _)) if name.starts_with(is_ideograph) => name.get(..second),
@@ -179,7 +188,7 @@ const LONGEST_MIXED: usize = 14;
 
 /// The phrases of letters and ideographs.
 static MIXED: LazyLock<Vec<(Phrase, &str)>> = LazyLock::new(|| {
-    let names = PHRASES.iter().flat_map(|(phrase, names)| names.split(" | ").map(|name| (*phrase, name)));
+    let names = all().flat_map(|(phrase, names)| names.split(" | ").map(|name| (*phrase, name)));
     names.filter(|(_, name)| !name.starts_with(is_ideograph) && name.contains(is_ideograph)).collect()
 });
 
@@ -205,7 +214,7 @@ fn says(written: &str, name: &str) -> bool {
 ///
 /// A phrase ends with a word, but for those of languages that set no blanks.
 pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<(Phrase, usize)> {
-    const LONGEST: usize = 5;
+    const LONGEST: usize = 6;
     const SHORTEST_NAME: usize = 3;
     if text.starts_with(is_ideograph) {
         let second = text.char_indices().nth(1).map_or(text.len(), |(at, _)| at);
@@ -300,8 +309,7 @@ pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
         return None;
     }
     let named = |phrase: &Phrase| matches!(phrase, Function(_) | Command(_));
-    let mut close =
-        PHRASES.iter().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
+    let mut close = all().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
     close.find(|name| {
         let stem = name.trim_end_matches('~');
         // No word in letters is meant for one with other signs.
@@ -341,7 +349,7 @@ mod tests {
     #[test]
     fn no_phrase_stands_twice() {
         let mut seen = std::collections::BTreeSet::new();
-        for name in PHRASES.iter().flat_map(|(_, names)| names.split(" | ")) {
+        for name in all().flat_map(|(_, names)| names.split(" | ")) {
             let words = name.split(' ').map(forms);
             let all = words.fold(vec![String::new()], |starts, forms| {
                 starts

@@ -66,6 +66,16 @@ impl Shape {
         self.sign.starts_with('<')
     }
 
+    /// Whether it is said that the function is monotone, but not in which direction.
+    pub(crate) fn has_no_direction(self) -> bool {
+        self.sign == MONOTONE
+    }
+
+    /// The same with its direction.
+    pub(crate) fn in_direction(self, falls: bool) -> Shape {
+        Shape { sign: if falls { "<=" } else { ">=" }, ..self }
+    }
+
     /// The relation to 0.
     pub(crate) fn relation(self) -> Rel {
         match self.sign {
@@ -83,6 +93,9 @@ impl Shape {
         !matches!(self.sign, "<=" | ">=")
     }
 }
+
+/// One of the two directions, which is not said.
+const MONOTONE: &str = "<=>";
 
 /// What is said of functions, in all languages; each with a sign of a derivative.
 const SHAPES: &[(usize, &str, &[&str])] = &[
@@ -177,6 +190,24 @@ const SHAPES: &[(usize, &str, &[&str])] = &[
     ),
     (
         1,
+        MONOTONE,
+        &[
+            "monotone",
+            "monotonic",
+            "monotonous",
+            "monoton",
+            "monotonically",
+            "monotono",
+            "monotona",
+            "monótono",
+            "monótona",
+            "monótone",
+            "单调",
+            "单调的",
+        ],
+    ),
+    (
+        1,
         ">=",
         &[
             "monotonically increasing",
@@ -234,6 +265,47 @@ pub(crate) struct SignClaim {
     pub region: Option<(usize, usize)>,
     /// For which values it is said: for all t.
     pub condition: Option<(usize, usize)>,
+}
+
+/// What stands for an object that was described before, in claims about it.
+const PRONOUNS: &[&str] = &[
+    "it",
+    "this",
+    "the curve",
+    "the polynomial",
+    "the function",
+    "the spline",
+    "the parabola",
+    "the cubic",
+    "the quadratic",
+    "the bezier curve",
+    "the bézier curve",
+    "the graph",
+    "er",
+    "sie",
+    "es",
+    "die kurve",
+    "das polynom",
+    "die funktion",
+    "la courbe",
+    "le polynôme",
+    "la fonction",
+    "elle",
+    "il",
+    "la curva",
+    "el polinomio",
+    "la función",
+    "il polinomio",
+    "la funzione",
+    "曲线",
+    "它",
+    "多项式",
+    "函数",
+];
+
+/// Whether what is claimed to be something is an object that was described before.
+pub(crate) fn is_pronoun(claim: &str) -> bool {
+    PRONOUNS.contains(&claim.trim().to_lowercase().as_str())
 }
 
 /// A text as a claim about signs; whether its parts are formulas is not asked.

@@ -40,7 +40,7 @@ pub use items::spaced_items;
 pub(crate) use line::{Line, Piece, Role, line};
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{congruence, is_special, reach_of_mod, special_call};
-pub(crate) use pieces::without_text_commands;
+pub(crate) use pieces::{is_aside, is_title, without_text_commands};
 pub(crate) use sentence::{Sentence, conditions_in as conditions, sentence};
 pub(crate) use spoken::{Asked, Call, Count, Request, Said, Total, What, family_index, request};
 pub use token::MAX_TOKENS;

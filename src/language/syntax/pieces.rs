@@ -3,7 +3,7 @@
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::lexicon::phrases::{Label, Phrase, phrase};
-use crate::language::lexicon::words;
+use crate::language::lexicon::{asking, words};
 use std::borrow::Cow;
 
 /// A part of a text with words.
@@ -124,7 +124,7 @@ pub(super) fn parts(
         // -> Bernstein
         if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
             let after = text.piece(at + arrow.len()..).trim_start();
-            if matches!(phrase(after, function), Some((Phrase::Function(_), _))) {
+            if matches!(phrase(after, function), Some((Phrase::Function(_) | Phrase::Degree(_), _))) {
                 push(&mut parts, start, at);
                 parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + arrow.len())));
                 at += arrow.len();
@@ -166,11 +166,15 @@ pub(super) fn without_asides<'a>(
             continue;
         };
         let says = match phrase(inside, function) {
-            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
+            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length))
+                if length < inside.len() =>
+            {
                 is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
             }
-            // 1, 3, 2 (Bézier)
-            Some((Phrase::Function("bezier" | "bspline"), length)) => length == inside.len(),
+            // 1, 3, 2 (Bézier); 0, 0, 1, 1 (linear)
+            Some((Phrase::Function("bezier" | "bspline") | Phrase::Degree(_), length)) => {
+                length == inside.len()
+            }
             _ => false,
         };
         if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
@@ -181,6 +185,68 @@ pub(super) fn without_asides<'a>(
         at = open + length.max(1);
     }
     masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
+}
+
+/// Whether a text is made of words alone that ask for nothing: use Bernstein coefficients; please explain why.
+pub(crate) fn is_aside(text: &str, known: &dyn Fn(&str) -> bool) -> bool {
+    let separates =
+        |c: char| c.is_whitespace() || c.is_ascii_punctuation() || matches!(c, '？' | '。' | '，');
+    let mut rest = text.trim_start_matches(separates);
+    let mut way = false;
+    let none = rest.is_empty();
+    while !rest.is_empty() {
+        let length = match (asking::aside(rest), phrase(rest, &|_| None)) {
+            (Some(length), _) => length,
+            (None, Some((Phrase::Using, length))) => {
+                way = true;
+                length
+            }
+            (None, Some((Phrase::Filler | Phrase::And | Phrase::Of, length))) => length,
+            // How it is done changes nothing.
+            (
+                None,
+                Some((
+                    Phrase::Function("polar" | "casteljau" | "deboor" | "in_bernstein" | "bernstein"),
+                    length,
+                )),
+            ) if way => length,
+            _ => return false,
+        };
+        if known(rest.piece(..length)) {
+            return false;
+        }
+        rest = rest.piece(length..).trim_start_matches(separates);
+    }
+    !none
+}
+
+/// Whether a text is made of a few words alone that name nothing that can be done: variation diminishing.
+pub(crate) fn is_title(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> bool {
+    const MOST: usize = 4;
+    let mut count = 0;
+    for word in text.split_whitespace() {
+        let plain =
+            word.chars().count() > 2 && word.chars().all(|c| c.is_alphabetic() || matches!(c, '-' | '\''));
+        let says = match phrase(word, function) {
+            Some((Phrase::Filler, _)) | None => false,
+            Some(_) => true,
+        };
+        count += 1;
+        if !plain
+            || says
+            || known(word)
+            || words::aside(word).is_some()
+            || words::prose(word).is_some()
+            || asking::denies(word)
+        {
+            return false;
+        }
+    }
+    (1..=MOST).contains(&count)
 }
 
 /// Whether a name with its value stands at the start of a text: t = 1/2.

@@ -8,6 +8,7 @@ mod ahead;
 mod asks;
 mod counts;
 mod meant;
+mod moved;
 mod pairs;
 mod questions;
 mod totals;
@@ -132,8 +133,20 @@ pub(crate) fn request(
         matches!(
             part,
             Part::Phrase(
-                Phrase::Function("maximum" | "minimum" | "max" | "min" | "support")
-                    | Phrase::Command("maximum" | "minimum" | "max" | "min"),
+                Phrase::Function(
+                    "maximum"
+                        | "minimum"
+                        | "max"
+                        | "min"
+                        | "support"
+                        | "roots"
+                        | "critical_points"
+                        | "inflections"
+                        | "intersections"
+                        | "double_points"
+                        | "cross"
+                ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
+                    | Phrase::Vanishes,
                 _
             )
         )
@@ -142,8 +155,9 @@ pub(crate) fn request(
         return None;
     }
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
+    let parts = moved::vanishing(parts);
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let parts = meant::settled(text, asks::from_one_to_another(parts));
+    let parts = meant::settled(text, asks::from_one_to_another(parts), known);
     let mut reader = Reader { text, parts, at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
@@ -297,6 +311,28 @@ impl Reader<'_> {
                     self.at += 2;
                     labels.extend(at_each(knots));
                     *subject = Some(Box::new(Request::Formula(vec![spline], Vec::new())));
+                }
+                // a product in the degree 5 Bernstein basis
+                Part::Phrase(Phrase::Label(Label::To | Label::In), _)
+                    if self.leads_to_form()
+                        && (matches!(request, Request::Joined(..)) || !self.leads_to_function()) =>
+                {
+                    self.at += 1;
+                    let mut labels = Vec::new();
+                    while !matches!(self.phrase(), Some(Phrase::Function(_))) {
+                        labels.extend(self.said()?);
+                    }
+                    let Some(Part::Phrase(Phrase::Function(function), phrase)) = self.next() else {
+                        return None;
+                    };
+                    self.at += 1;
+                    request = Request::Call(Call {
+                        function,
+                        phrase,
+                        subject: Some(Box::new(request)),
+                        labels,
+                        part: None,
+                    });
                 }
                 // insert the knot 1/2 into a spline
                 Part::Phrase(Phrase::Label(Label::To | Label::In), _)
@@ -454,6 +490,10 @@ impl Reader<'_> {
                                 Phrase::Equals | Phrase::Takes | Phrase::Is | Phrase::Part(..),
                                 _,
                             )) => Some(None),
+                            // with coefficients 1, 0, 1 as a polynomial
+                            Some(Part::Phrase(Phrase::Function(_), _)) if self.at + 1 == self.parts.len() => {
+                                Some(None)
+                            }
                             // with control points 0, 3, 3 twice
                             Some(Part::Phrase(Phrase::Ordinal(_), _)) => continue,
                             Some(_) => self.subject().map(Some),

@@ -1,6 +1,7 @@
 //! A function that conditions determine: `cubic p with p(0) = 0, p'(0) = 1, p(1) = 2, p'(1) = 0`,
 //! `given f(0,0) = 1, f(0,1) = 3, f(1,1) = 2, find f(2,2)`.
 
+use super::clauses::after_introduction;
 use super::pieces::{Part, has_words, parts, without_text_commands};
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
@@ -27,7 +28,10 @@ pub(crate) fn unknown(
     function: &dyn Fn(&str) -> Option<&'static str>,
 ) -> Option<Unknown> {
     let masked = without_text_commands(text);
-    let text = masked.as_ref();
+    // If f(0, 0) = 1, …
+    let start = after_introduction(masked.as_ref());
+    let masked = " ".repeat(start) + masked.piece(start..);
+    let text = masked.as_str();
     let parts = parts(text, known, function);
     // Without a word it is a claim: f(0, 1) = 2.
     let says = |part: &Part| matches!(part, Part::Phrase(phrase, _) if *phrase != Phrase::And);

@@ -34,6 +34,6 @@ pub(crate) use coefficients::horner;
 pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
-pub use real_roots::{AlgebraicNumber, Clip, ClipOutcome, Extreme, Part, Positivity, RealRoot};
+pub use real_roots::{AlgebraicNumber, Clip, ClipOutcome, Extreme, Part, Positivity, RealRoot, sign_changes};
 pub use symbol::{Index, Symbol};
 pub use univariate::Poly;

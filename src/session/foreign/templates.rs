@@ -43,7 +43,6 @@ pub(super) const TEMPLATES: &[Template] = &[
     ),
     of(&["all_coeffs"], &["F"], "reverse(coefficients(F))"),
     of(&["BezierFunction", "BezierCurve"], &["a"], "bezier(a)"),
-    of(&["Midpoint", "midpoint"], &["a", "b"], "(a + b)/2"),
     of(&["Distance", "distance"], &["a", "b"], "norm(a - b)"),
     of(&["EuclideanDistance"], &["a", "b"], "norm(a - b)"),
     of(&["Extremum", "TurningPoint"], &["F"], "roots(diff(F))"),

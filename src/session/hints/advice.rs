@@ -134,6 +134,11 @@ impl Session {
         });
         let about = topics::advice(&small.join(" "));
         let without = self.without_words(text, found, misspelled);
+        let without = without.or_else(|| {
+            let word = text.piece(found.unknown.first()?.range());
+            let (query, clause) = self.without_clause(text, word, &|query| self.tried(query))?;
+            Some(format!("without '{clause}' it is {query}"))
+        });
         let read_without = without.is_some();
         if let Some(hint) = without {
             problem = problem.hint(hint);
@@ -216,7 +221,7 @@ impl Session {
         mut failure: Box<Failure>,
     ) -> Box<Failure> {
         const BESIDES: &[&str] = &["on [0, 1]", "at 1/2", "of degree 2"];
-        if failure.problem.code != Code::Arity {
+        if !matches!(failure.problem.code, Code::Arity | Code::Domain) {
             return failure;
         }
         let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | '!');
@@ -454,12 +459,7 @@ impl Session {
 
 /// Whether an unknown word says which question it is: before what it is about, before what is asked for, or where it denies.
 fn matters(text: &str, span: Span) -> bool {
-    const DENYING: &[&str] = &[
-        "not", "no", "without", "except", "never", "neither", "last", "first", "middle", "half", "mean",
-        "average", "absolute", "negative", "positive", "nicht", "kein", "keine", "ohne", "außer", "letzte",
-        "erste", "mittlere", "pas", "sans", "sauf", "dernier", "premier", "sin", "excepto", "senza",
-    ];
-    if DENYING.contains(&text.piece(span.range()).to_lowercase().as_str()) {
+    if asking::denies(text.piece(span.range())) {
         return true;
     }
     match phrase(text.piece(span.end..).trim_start(), &|name| function_called(name)) {
@@ -535,7 +535,7 @@ mod tests {
             let failure = Session::default().run(text).map(|answer| answer.outcome.value).unwrap_err();
             assert!(!failure.problem.message.contains("not read here"), "{text}");
         }
-        let failure = Session::default().run("midpoint of the bezier 4, 0, 2").unwrap_err();
-        assert!(failure.problem.message.starts_with("'midpoint'"));
+        let failure = Session::default().run("apex of the bezier 4, 0, 2").unwrap_err();
+        assert!(failure.problem.message.starts_with("'apex'"));
     }
 }

@@ -1,11 +1,12 @@
 //! Claims about signs on a region, answered by what shows them: `prove t^2 - t + 1 >= 0 on [0, 1]` is `positivity(t^2 - t + 1, 0, 1)`.
 
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call};
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call, named};
 use crate::language::eval::{Equals, Outcome};
 use crate::language::lexicon::signs::{self, Shape, SignClaim};
 use crate::language::syntax::{self, Sentence};
 use crate::language::value::{Value, symbol_expr};
+use crate::math::poly::Symbol;
 use crate::session::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 
 impl Session {
@@ -60,6 +61,95 @@ impl Session {
 }
 
 impl Session {
+    /// The claim with the direction in which a function can only be monotone: from its values at the ends.
+    pub(in crate::session) fn directed(&self, file: &SourceFile, whole: Span, found: SignClaim) -> SignClaim {
+        let Some(shape) = found.shape.filter(|shape| shape.has_no_direction()) else { return found };
+        let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
+        let claim = place(found.claim);
+        let read = |span: Span| self.read(file, span).ok();
+        let (claimed, ends) = match self.object_claimed(file, claim) {
+            Some((claimed, ends)) => (Some(claimed), Some(ends)),
+            None => (read(claim), None),
+        };
+        let region = found.region.and_then(|region| {
+            let read = read(place(region))?;
+            <[Expr; 2]>::try_from(read.items()?.to_vec()).ok()
+        });
+        let ends = region.or(ends).unwrap_or([Expr::int(0), Expr::int(1)]);
+        let falls = claimed.is_some_and(|claimed| self.falls(&claimed, &ends));
+        SignClaim { shape: Some(shape.in_direction(falls)), ..found }
+    }
+
+    /// Whether a formula is smaller at the second end than at the first.
+    fn falls(&self, claimed: &Expr, ends: &[Expr; 2]) -> bool {
+        let scalar = |mut formula: Expr| match self.clone().evaluate(&mut formula, Equals::Claims) {
+            Ok(Outcome { value: Value::Scalar(value), .. }) => Some(value),
+            _ => None,
+        };
+        let Some(own) = scalar(claimed.clone()) else { return false };
+        let [variable] = own.variables().try_into().unwrap_or_else(|_| [Symbol::new("t")]);
+        let at = |end: &Expr| {
+            let value = named(&variable.to_string(), end.clone());
+            scalar(call("subs", vec![claimed.clone(), value], claimed.span))
+                .and_then(|value| value.as_rational())
+        };
+        matches!((at(&ends[0]), at(&ends[1])), (Some(first), Some(second)) if second < first)
+    }
+
+    /// What is claimed of the sign or the shape of an object that was described before: is it positive on [0, 1]?
+    pub(in crate::session) fn claimed_of(
+        &self,
+        file: &SourceFile,
+        text: Span,
+        object: &Expr,
+        name: Option<&str>,
+    ) -> Option<Expr> {
+        let said = file.slice(text);
+        let found = signs::sign_claim(said)?;
+        let (shape, None) = (found.shape?, found.condition) else { return None };
+        let subject = said.get(found.claim.0..found.claim.1)?;
+        if !(signs::is_pronoun(subject) || name.is_some_and(|name| name == subject.trim())) {
+            return None;
+        }
+        let place = |(a, b): (usize, usize)| Span::new(text.start + a, text.start + b);
+        let region = match found.region {
+            None => None,
+            Some(region) => {
+                let read = self.read(file, place(region)).ok()?;
+                Some(<[Expr; 2]>::try_from(read.items()?.to_vec()).ok()?)
+            }
+        };
+        let own = match &object.kind {
+            Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "bezier") => {
+                match groups.first()?.as_slice() {
+                    [_] => Some([Expr::int(0), Expr::int(1)]),
+                    [_, a, b] => Some([a.clone(), b.clone()]),
+                    _ => return None,
+                }
+            }
+            _ => None,
+        };
+        let claimed = match own {
+            Some(_) => applied(object.clone(), vec![Expr { span: text, ..Expr::name("t") }], text),
+            None => object.clone(),
+        };
+        let ends = region.or(own);
+        let shape = match shape.has_no_direction() {
+            true => shape
+                .in_direction(self.falls(&claimed, &ends.clone().unwrap_or([Expr::int(0), Expr::int(1)]))),
+            false => shape,
+        };
+        match ends {
+            Some([a, b]) => self.sign_over(&claimed, shape, [&a, &b], text),
+            None => {
+                let function =
+                    (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], text));
+                let zero = Expr { span: text, ..Expr::int(0) };
+                Some(Expr { span: text, ..Expr::relation(function, shape.relation(), zero) })
+            }
+        }
+    }
+
     /// The Bézier polynomial that words describe, at a parameter, and the interval over which it is given.
     fn object_claimed(&self, file: &SourceFile, claim: Span) -> Option<(Expr, [Expr; 2])> {
         // A polygon is none of its curve.

@@ -185,6 +185,9 @@ impl Session {
         if inner.trim().is_empty() {
             return None;
         }
+        if !by_letter && let Some(claim) = self.claimed_of(file, place, object, name) {
+            return Some((claim, place));
+        }
         if !by_letter && let Ok(Some((formula, true))) = self.spoken_about(file, place, Some(object)) {
             return Some((formula, place));
         }

@@ -6,6 +6,7 @@
 //! | `data` | a question and its data, in any order |
 //! | `clauses` | definitions in words |
 //! | `described` | an object in words, and questions about it |
+//! | `core` | what a line asks for inside of other words |
 //! | `condition`, `unknown`, `systems` | a name, a function, several names that conditions determine |
 //! | `certified` | claims about signs |
 //! | `members` | members of a family without their argument |
@@ -14,6 +15,7 @@
 mod certified;
 mod clauses;
 mod condition;
+mod core;
 mod data;
 mod described;
 mod members;

@@ -26,6 +26,33 @@ pub(super) fn is_points(items: &[Expr]) -> bool {
     !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
 }
 
+/// The name and the value in t = 1, also in x(t) = t^2.
+fn named_value(item: &Expr) -> Option<(String, Expr)> {
+    if let Some((name, value)) = eval::named(item) {
+        return Some((name, value.clone()));
+    }
+    let Kind::Chain(left, links) = &item.kind else { return None };
+    let ([Link { rel: Rel::Eq, expr, .. }], Kind::Apply(callee, groups)) = (links.as_slice(), &left.kind)
+    else {
+        return None;
+    };
+    let letter =
+        matches!(groups.as_slice(), [one] if matches!(one.as_slice(), [Expr { kind: Kind::Name(_), .. }]));
+    match &callee.kind {
+        Kind::Name(name) if letter => Some((name.clone(), expr.clone())),
+        _ => None,
+    }
+}
+
+/// Whether they are formulas in one parameter, with parentheses around them.
+fn is_coordinates(item: &Expr) -> bool {
+    let Kind::Tuple(coordinates) = &item.kind else { return false };
+    let mut names: Vec<String> = coordinates.iter().flat_map(bases).collect();
+    names.sort();
+    names.dedup();
+    matches!(coordinates.len(), 2 | 3) && matches!(names.as_slice(), [one] if roles::is_variable(one))
+}
+
 pub(super) fn list(items: Vec<Expr>) -> Expr {
     let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
     Expr::new(Kind::List(items), span)
@@ -83,6 +110,12 @@ impl Draft {
             self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
             return;
         }
+        // The acceleration is the second derivative.
+        const SECOND: &[&str] = &["accel", "beschleunig", "accél", "acele", "加速"];
+        if self.builtin.name == "derivative" && SECOND.iter().any(|own| phrase.starts_with(own)) {
+            self.named.push(("k", Expr { span: self.phrase, ..Expr::int(2) }));
+            return;
+        }
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
             let found =
@@ -109,6 +142,8 @@ impl Draft {
                     && (read.items.len() > 1 || matches!(&read.items[0].kind, Kind::List(_)))
             }
             Label::Nodes => first.name == "nodes",
+            // sign changes in 1, -2, 3
+            Label::In => first.kind == Takes::Scalars && read.items.len() > 2,
             Label::With => {
                 !matches!(first.kind, Takes::Size)
                     && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
@@ -118,9 +153,23 @@ impl Draft {
         said.iter().position(subject).map_or_else(Vec::new, |at| said.remove(at).items)
     }
 
+    /// Whether formulas are the coordinates of a curve that is wanted: the curve (t, t^2).
+    fn wants_coordinates(&self, items: &[Expr]) -> bool {
+        let of_curve = self.builtin.on_curve.is_some_and(|own| own.parameters.len() < 3)
+            && self.builtin.parameters.first().is_some_and(|first| first.kind == Takes::Scalar);
+        let takes = |first: &Parameter| matches!(first.kind, Takes::Curve | Takes::Geometry);
+        (of_curve
+            || !matches!(self.builtin.name, "bezier" | "inflections" | "bounding_box" | "arc_length")
+                && self.builtin.parameters.first().is_some_and(takes))
+            && matches!(items, [one] if is_coordinates(one))
+    }
+
     /// Whether a curve is wanted, for which there are points.
     pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return false };
+        if self.wants_coordinates(items) {
+            return false;
+        }
         match first.kind {
             // the derivative of 0, 1, 3
             Takes::Function => {
@@ -143,7 +192,10 @@ impl Draft {
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
                 // two curves
-                _ => items.len() > 1 && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..))),
+                _ => {
+                    items.len() > 1
+                        && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..) | Kind::Chain(..)))
+                }
             },
             _ => false,
         }
@@ -155,10 +207,17 @@ impl Draft {
         if items.is_empty() {
             return first.kind == Takes::Size;
         }
+        if self.wants_coordinates(&items)
+            && let [Expr { kind: Kind::Tuple(coordinates), span }] = items.as_slice()
+        {
+            items = vec![call("curve_of", vec![list(coordinates.clone())], *span)];
+        }
         // the area under y = x^2
         if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
             && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
-            && first.kind.is_formula()
+            && (first.kind.is_formula()
+                || first.kind == Takes::Polar
+                || self.builtin.name == "control_points")
             && y == "y"
             && !bases(expr).contains(y)
             && self.builtin.on_equations.is_none()
@@ -182,7 +241,7 @@ impl Draft {
             && matches!(first.kind, Takes::Curve | Takes::Any | Takes::OneOf(_) | Takes::Geometry)
         {
             let coordinate = |read: &Read| match read.items.as_slice() {
-                [item] => eval::named(item).is_some_and(|(name, _)| name == "y" || name == "z"),
+                [item] => named_value(item).is_some_and(|(name, _)| name == "y" || name == "z"),
                 _ => false,
             };
             items.extend(said.extract_if(.., |read| coordinate(read)).flat_map(|read| read.items));
@@ -192,11 +251,15 @@ impl Draft {
             && items.len() > 1
         {
             let coordinate = |(item, letter): (&Expr, &str)| {
-                eval::named(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula.clone())
+                named_value(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula)
             };
             let coordinates: Option<Vec<Expr>> = items.iter().zip(["x", "y", "z"]).map(coordinate).collect();
             if let Some(coordinates) = coordinates.filter(|own| own.len() == items.len()) {
                 let span = coordinates[0].span;
+                // Over which interval is not said.
+                if self.builtin.name == "inflections" {
+                    return false;
+                }
                 items = vec![match first.kind {
                     Takes::Any | Takes::OneOf(_) => list(coordinates),
                     _ => call("curve_of", vec![list(coordinates)], span),
@@ -355,7 +418,10 @@ impl Draft {
             && matches!(read.label, Label::At | Label::With)
         {
             // Of a formula in that name it is the value of the name.
-            if self.placed.iter().any(|formula| bases(formula).contains(&name)) {
+            let place = self.builtin.parameters.get(1).is_some_and(|second| {
+                second.name == "t" && second.need == Need::Required && second.kind == Takes::Scalar
+            });
+            if !place && self.placed.iter().any(|formula| bases(formula).contains(&name)) {
                 return Some(read);
             }
             let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);

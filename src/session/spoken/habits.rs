@@ -16,6 +16,9 @@ impl Session {
     pub(in crate::session) fn called_in_words(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
         let text = file.slice(whole).trim_start();
         let name: &str = text.split('(').next().filter(|name| name.len() < text.len())?.trim_end();
+        if let Some(value) = self.polar_value(file, whole, name) {
+            return Some(value);
+        }
         let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !plain || defines(&self.env, name) || function_called(name).is_some() {
             return None;
@@ -51,6 +54,32 @@ impl Session {
             _ => in_places(builtin, arguments),
         };
         Some(applied(Expr { span: callee.span, ..Expr::name(function) }, arguments, whole))
+    }
+}
+
+impl Session {
+    /// The value of a polar form whose arguments stand behind its polynomial: blossom(t^2, u, v).
+    fn polar_value(&self, file: &SourceFile, whole: Span, name: &str) -> Option<Expr> {
+        if function_called(name) != Some("polar") || defines(&self.env, name) {
+            return None;
+        }
+        let Kind::Apply(callee, groups) = self.read(file, whole).ok()?.kind else { return None };
+        let [arguments] = groups.as_slice() else { return None };
+        let [formula, first, rest @ ..] = arguments.as_slice() else { return None };
+        // polar(t^2, 3, t) has a degree and a letter.
+        let letter = |item: &Expr| matches!(item.kind, Kind::Name(_));
+        let degree = first.as_int().is_some() && rest.len() == 1 && letter(&rest[0]);
+        let simple = |item: &Expr| {
+            letter(item)
+                || item.as_signed_int().is_some()
+                || matches!(item.kind, Kind::Div(..) | Kind::Subscript(..))
+        };
+        let own = matches!(&callee.kind, Kind::Name(own) if own == name);
+        if rest.is_empty() || degree || !own || !arguments.iter().skip(1).all(simple) {
+            return None;
+        }
+        let form = call("polar", vec![formula.clone()], callee.span);
+        Some(applied(form, arguments.get(1..)?.to_vec(), whole))
     }
 }
 

@@ -87,6 +87,27 @@ impl Reader<'_> {
         None
     }
 
+    /// The laws of a formula that is asked to be symmetric and affine: is u v + u + v symmetric and affine in each argument?
+    pub(super) fn laws_of(&self, asked: &Utterance) -> Option<Expr> {
+        let ([Draft { builtin, .. }], [form], []) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return None;
+        };
+        if builtin.name != "laws" || matches!(form.kind, Kind::Chain(..) | Kind::List(_)) {
+            return None;
+        }
+        let form = self.with_products(form.clone());
+        let letters = lists::letters(&form, &Expr::int(0));
+        let names: Vec<String> = letters.iter().flat_map(bases).collect();
+        let letter = if names.iter().any(|name| name == "t") { "x" } else { "t" };
+        let variable = Expr { span: form.span, ..Expr::name(letter) };
+        let diagonal = names.iter().fold(form.clone(), |form, name| form.with_name(name, &variable));
+        let span = form.span;
+        (names.len() > 1)
+            .then(|| call("laws", vec![form, Expr::new(Kind::List(letters), span), diagonal], span))
+    }
+
     /// The claim that a formula is the polar form of something with more arguments than the formula has letters: is u^2 v the
     /// blossom of t^3?
     pub(super) fn is_form_of(&self, claimed: &Expr, asked: &Utterance) -> Option<Expr> {

@@ -1,13 +1,58 @@
-//! What a request is about, where that is more than formulas side by side: curves, sums, products.
+//! What a request is about, where that is more than formulas side by side: curves, sums, products, divided differences.
 
+use super::draft::Draft;
+use super::utterance::Utterance;
 use super::{Reader, draft, one_term};
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term, applied, call};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Equals;
+use crate::language::lexicon::phrases::Label;
 use crate::language::syntax::{Count, Total, What, family_index};
+use crate::language::value::{Value, symbol_expr};
 use crate::session::Failure;
 
 impl Reader<'_> {
+    /// F[x_0, x_1, …] of a formula in one variable, or of a function: the divided difference of x^3 at 1, 2, 4.
+    pub(super) fn divided_difference(&self, asked: &Utterance) -> Option<Expr> {
+        let ([Draft { builtin, .. }], [function], [read]) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return None;
+        };
+        let at = matches!(read.label, Label::At | Label::Nodes | Label::Knots | Label::With | Label::Over);
+        if builtin.name != "divided_differences" || !at {
+            return None;
+        }
+        let nodes = match read.items.as_slice() {
+            [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
+            nodes => nodes.to_vec(),
+        };
+        let outcome = self.session.clone().evaluate(&mut function.clone(), Equals::Claims).ok()?;
+        let span = function.span;
+        let function = match &outcome.value {
+            Value::Function(_) => function.clone(),
+            Value::Scalar(formula) => match formula.variables().as_slice() {
+                [variable] => {
+                    let letter = Expr { span, ..symbol_expr(variable) };
+                    Expr::new(Kind::Lambda(vec![letter], Box::new(function.clone())), span).grouped()
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        // the divided differences of x^2 at 0, 2, 5: all of them
+        let phrase = self.file.slice(asked.drafts[0].phrase).to_lowercase();
+        let several = ["differences", "differenzen", "différences", "diferencias"];
+        if several.iter().any(|plural| phrase.contains(plural)) {
+            let nodes = draft::list(nodes);
+            let values = call("map", vec![function, nodes.clone()], span);
+            return Some(call("divided_differences", vec![nodes, values], span));
+        }
+        let nodes = vec![draft::list(nodes)];
+        (nodes.len() == 1).then(|| Expr::new(Kind::Subscript(Box::new(function), nodes), span))
+    }
+
     /// Curves by their control points; where no intervals are said, one begins where the other ends.
     pub(super) fn curves(
         &self,

@@ -12,9 +12,12 @@ impl Reader<'_> {
     fn of_definition(&self, item: Expr) -> Expr {
         let Kind::Chain(left, links) = &item.kind else { return item };
         let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
+        let coordinate =
+            |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if matches!(name.as_str(), "x" | "y" | "z"));
         let head = match &left.kind {
             Kind::Apply(callee, groups) => {
                 letter(callee)
+                    && !coordinate(callee)
                     && !matches!(&callee.kind, Kind::Name(name) if defines(&self.session.env, name))
                     && matches!(groups.as_slice(), [one] if one.iter().all(letter))
             }

@@ -144,10 +144,16 @@ impl Draft {
     pub(super) fn take_parameter(&mut self, read: Read) -> Option<Read> {
         let given = self.named.iter().any(|(name, _)| name.is_empty());
         let takes = self.builtin.parameters.get(1).is_some_and(|p| {
-            (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
+            let point = p.kind == Takes::Point && matches!(p.need, Need::Optional(_)) && !given;
+            (point || matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
                 && matches!(
                     p.kind,
-                    Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any | Takes::OneOf(_)
+                    Takes::Scalar
+                        | Takes::Number
+                        | Takes::ScalarOrList
+                        | Takes::Point
+                        | Takes::Any
+                        | Takes::OneOf(_)
                 )
         });
         // Neville's scheme at 2

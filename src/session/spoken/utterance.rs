@@ -6,9 +6,13 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::written::names::bases;
 use crate::language::eval;
-use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Parameter, Takes, builtin};
+use crate::language::functions::{BASIS, BASIS_OR_KNOTS, Gives, Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
+use crate::language::lexicon::roles;
 use crate::session::given::is_equation;
+
+/// The chapter of functions of which the first argument is a polynomial whose values are looked at.
+const ROOTS: &str = "Roots of polynomials";
 
 /// A request, read.
 #[derive(Clone, Default)]
@@ -32,6 +36,16 @@ pub(super) struct Utterance {
 impl Utterance {
     /// Takes what a label says.
     pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
+        // at t = 0, 1/2, 1
+        let mut items = items;
+        if let (Label::At, [first, rest @ ..]) = (label, items.as_mut_slice())
+            && let Some((name, value)) = eval::named(first).map(|(name, value)| (name, value.clone()))
+            && !rest.is_empty()
+            && roles::is_variable(&name)
+            && rest.iter().all(|item| matches!(item.kind, Kind::Number(_) | Kind::Div(..)))
+        {
+            *first = value;
+        }
         // in t = 1
         let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
         let met = label == Label::Through;
@@ -252,6 +266,13 @@ impl Utterance {
             inner.builtin = count;
             self.drafts.remove(0);
         }
+        // how many sign changes
+        if let [outer, inner, ..] = self.drafts.as_slice()
+            && outer.builtin.name == "length"
+            && inner.builtin.gives == Gives::Count
+        {
+            self.drafts.remove(0);
+        }
         // the point at 1/3 on the curve (0, 0), (1, 2), (2, 0)
         if self.drafts.is_empty() && self.items.is_empty() && !self.says(Label::Points) {
             let curve = |read: &&mut Read| {
@@ -263,6 +284,9 @@ impl Utterance {
                 read.label = Label::Points;
             }
         }
+        self.values_of_degree();
+        self.curve_of_degree();
+        self.spline_of_data();
         self.meeting();
         self.roots_within();
         self.value_outside();
@@ -298,6 +322,62 @@ impl Utterance {
         }
         self.curve_for_function();
         apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// One pair of parentheses around the values of a curve: the cubic (0, 1, 0, 2).
+    fn values_of_degree(&mut self) {
+        let [Expr { kind: Kind::Tuple(values), .. }] = self.items.as_slice() else { return };
+        let degree = i64::try_from(values.len()).unwrap_or(0) - 1;
+        let number = |item: &Expr| {
+            item.as_signed_int().is_some() || matches!(item.kind, Kind::Number(_) | Kind::Div(..))
+        };
+        let counted = self.said.iter().any(|read| {
+            read.label == Label::OfDegree
+                && matches!(read.items.as_slice(), [own] if own.as_int() == Some(degree))
+        });
+        if degree > 1 && counted && values.iter().all(number) {
+            self.items = values.clone();
+        }
+    }
+
+    /// B-splines with points are a curve; control points that a polynomial has over knots are those of its spline.
+    fn spline_of_data(&mut self) {
+        if !self.says(Label::Knots) {
+            return;
+        }
+        // Marsden's coefficients for quadratic B-splines
+        if self.drafts.iter().any(|draft| draft.builtin.name == "spline_of") {
+            self.drafts.retain(|draft| draft.builtin.name != "bspline_basis");
+        }
+        let points = self.items.len() > 1 && !self.says(Label::Points);
+        let formula =
+            matches!(self.items.as_slice(), [Expr { kind: Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..), .. }]);
+        let Some(innermost) = self.drafts.last_mut() else { return };
+        let meant = match innermost.builtin.name {
+            "bspline_basis" if points => "bspline",
+            "coefficients" | "control_points" | "bezier_points" if formula => "spline_of",
+            _ => return,
+        };
+        innermost.builtin = builtin(meant).unwrap_or(innermost.builtin);
+    }
+
+    /// Numbers or points that are called a quadratic or a cubic are a curve for functions of polynomials: the extrema of the cubic
+    /// 0, 1, 3, 2.
+    fn curve_of_degree(&mut self) {
+        let of_values = |draft: &Draft| {
+            matches!(draft.builtin.name, "max" | "min" | "midpoint" | "slope" | "tangent_line")
+                || draft.builtin.topic == ROOTS
+        };
+        let Some(innermost) = self.drafts.last().filter(|draft| of_values(draft)) else { return };
+        let count = i64::try_from(self.items.len()).unwrap_or(0) - 1;
+        let counted = self.said.iter().any(|read| {
+            read.label == Label::OfDegree
+                && matches!(read.items.as_slice(), [degree] if degree.as_int() == Some(count))
+        });
+        if let (true, true, Some(bezier)) = (counted, count > 0, builtin("bezier")) {
+            let phrase = innermost.phrase;
+            self.drafts.push(Draft::new(bezier, phrase));
+        }
     }
 
     /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.
@@ -406,7 +486,10 @@ impl Utterance {
     /// The value of a curve outside of its interval: extrapolate 0, 1, 3 to t = 2.
     fn value_outside(&mut self) {
         let [Draft { builtin: of, .. }, ..] = self.drafts.as_mut_slice() else { return };
-        let [Read { label: label @ (Label::To | Label::At), items }] = self.said.as_mut_slice() else {
+        let mut others = self.said.iter_mut().filter(|read| read.label != Label::OfDegree);
+        let (Some(Read { label: label @ (Label::To | Label::At), items }), None) =
+            (others.next(), others.next())
+        else {
             return;
         };
         let value = match items.as_slice() {

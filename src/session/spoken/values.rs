@@ -6,6 +6,8 @@ use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
 
 /// What a result is, as to its values.
 #[derive(Clone, Copy, PartialEq)]
@@ -14,6 +16,10 @@ pub(super) enum Nature {
     Number,
     /// A function of one parameter.
     OfOne,
+    /// A list of such functions.
+    Several,
+    /// A list of formulas in t.
+    Formulas,
     /// Anything else.
     Other,
 }
@@ -128,6 +134,22 @@ pub(super) fn value_of(whole: &Expr, read: &Read, nature: &dyn Fn(&Expr) -> Natu
         };
         return Some(Expr::new(Kind::List(read.items.iter().map(at).collect()), span));
     }
+    // All basis functions at 1/2
+    if matches!(own, Nature::Several | Nature::Formulas) && !points {
+        let letter = Expr { span, ..Expr::name("f") };
+        let of_each = |at: &Expr| {
+            if own == Nature::Formulas {
+                return call("subs", vec![whole.clone(), crate::formula::named("t", at.clone())], span);
+            }
+            let value = applied(letter.clone(), vec![at.clone()], span);
+            let each = Expr::new(Kind::Lambda(vec![letter.clone()], Box::new(value)), span);
+            call("map", vec![each, whole.clone()], span)
+        };
+        return Some(match read.items.as_slice() {
+            [one] => of_each(one),
+            several => Expr::new(Kind::List(several.iter().map(of_each).collect()), span),
+        });
+    }
     // One of the Lagrange polynomials; a parenthesis behind an index would be a factor.
     if let (Kind::Subscript(..), [value]) = (&whole.kind, read.items.as_slice()) {
         return Some(call("subs", vec![whole.clone(), crate::formula::named("t", value.clone())], span));
@@ -139,4 +161,18 @@ pub(super) fn value_of(whole: &Expr, read: &Read, nature: &dyn Fn(&Expr) -> Natu
         items => items.to_vec(),
     };
     Some(applied(whole.clone(), arguments, span))
+}
+
+/// Whether it is a formula in t.
+pub(super) fn is_in_t(item: &Value) -> bool {
+    matches!(item, Value::Scalar(formula) if formula.variables() == [Symbol::new("t")])
+}
+
+/// Whether there are values of it at a parameter.
+pub(super) fn has_values(item: &Value) -> bool {
+    match item {
+        Value::Geometry(geometry) => !geometry.is_surface(),
+        Value::Piecewise(_) => true,
+        _ => false,
+    }
 }

@@ -121,7 +121,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("control_points"),
-        "control point~ | control polygon | kontrollpunkt~ | point~ de contrôle | 控制点 | steuerpunkt~ | \
+        "control point~ | control polygon~ | kontrollpunkt~ | kontrollpolygon~ | polygone de contrôle | polígono de control | point~ de contrôle | 控制点 | steuerpunkt~ | \
          puntos de control | punti di controllo",
     ),
     (
@@ -329,7 +329,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Multiaffine,
-        "multi affine | triaffine | symmetric | symmetric biaffine | symmetric multiaffine | symmetrisch~ | multiaffin~ | biaffin~ | \
+        "multi affine | affine in each argument | affine in each variable | symmetric and affine | symmetric and affine in each argument | symmetric and affine in each variable | symmetric and multiaffine | symmetric and multi affine | symmetric multiaffine | symmetrisch und multiaffin | symmetrisch und affin in jedem argument | symétrique et affine en chaque argument | symétrique et multiaffine | triaffine | symmetric | symmetric biaffine | symmetrisch~ | multiaffin~ | biaffin~ | \
          symétrique | multi affine symétrique | simétric~ | 对称",
     ),
     (
@@ -454,7 +454,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Using,
-        "using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda",
+        "use | using | by means of | with the help of | mithilfe | mit hilfe | à l'aide | au moyen | usando | mediante | con ayuda",
     ),
     (Phrase::Has, "has | have a | hat | haben | tiene | possède | besitzt"),
     (
@@ -588,7 +588,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments | \
-         wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
+         possible | möglich | posible | possibile | wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \
          corresponding | consider | take | turn | bring | put | make | draw up | work out | derive for me | \
          in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | bitte gib | bitte berechne | \

@@ -60,6 +60,15 @@ impl Reader<'_> {
         label && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _)))
     }
 
+    /// Whether the form that is wanted follows: in the degree 5 Bernstein basis.
+    pub(super) fn leads_to_form(&self) -> bool {
+        let function = |part: &&Part| matches!(part, Part::Phrase(Phrase::Function(_), _));
+        let form = self.parts.iter().skip(self.at).find(function);
+        matches!(self.phrase(), Some(Phrase::Label(Label::In | Label::To)))
+            && matches!(form, Some(Part::Phrase(Phrase::Function("in_bernstein" | "expand"), _)))
+            && self.leads_to_qualified_function()
+    }
+
     /// The same, with what it is like between them: into the quadratic spline, into a degree 2 spline.
     pub(super) fn leads_to_qualified_function(&self) -> bool {
         let rest = self.parts.get(self.at + 1..).unwrap_or_default();

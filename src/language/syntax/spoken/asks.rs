@@ -18,6 +18,8 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
             | Phrase::Takes
             | Phrase::TrueDegree
             | Phrase::Uniform
+            | Phrase::Vanishes
+            | Phrase::Multiaffine
             | Phrase::Equals => true,
             // N_{0,2}(1/2) for the knots 0, 1, 2, 3
             Phrase::Label(label) => label.names_values(),

@@ -1,14 +1,21 @@
 //! What phrases mean beside each other, before the request is read: Bernstein coefficients that are given are points, a cubic
 //! spline with control points is a B-spline.
 
+use super::moved::{between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves};
 use super::pairs::is_order;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 /// The parts of a request with the phrases in place of which others are meant.
-pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
+pub(super) fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
+    names_of_objects(text, &mut parts, known);
+    points_on_curves(text, &mut parts);
+    degrees_before(text, &mut parts);
+    in_letters(text, &mut parts);
     methods(&mut parts);
+    crossings(text, &mut parts);
+    between(&mut parts);
     ends(&mut parts);
     of_derivative(&mut parts);
     basis_function(text, &mut parts);
@@ -26,6 +33,14 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>) -> Vec<Part> {
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
     parts
+}
+
+/// One pair or triple of formulas with a letter: (t, t^2).
+fn is_coordinates(text: &str, part: Option<&Part>) -> bool {
+    matches!(part, Some(Part::Piece(span)) if {
+        let inside = text.piece(span.range()).strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
+        inside.is_some_and(|inside| inside.contains(['t', 'u', 's']) && !inside.contains(['_', '[']) && !inside.contains("),"))
+    })
 }
 
 fn several(text: &str, part: Option<&Part>) -> bool {
@@ -178,7 +193,8 @@ fn curves(text: &str, parts: &mut Vec<Part>) {
                         _
                     ))
                 );
-        if !others && (points || with || several(text, parts.get(at + 1))) {
+        let listed = several(text, parts.get(at + 1)) && !is_coordinates(text, parts.get(at + 1));
+        if !others && (points || with || listed) {
             parts[at] = Part::Phrase(Phrase::Function("bezier"), span);
             // on the curve 0, 1, 3
             if at > 0
@@ -290,9 +306,22 @@ fn behind(text: &str, parts: &mut Vec<Part>) {
 /// Weights that are brought to standard form: normalise the weights 1, 2, 4; the standard form of the weights 1, 2, 4.
 fn weights(text: &str, parts: &mut Vec<Part>) {
     let of_weights = parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Label(Label::Weights), _)));
-    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))) {
-        let curve = |part: &Part| matches!(part, Part::Phrase(Phrase::Is | Phrase::Function("bezier"), _));
-        parts.retain(|part| !curve(part));
+    if let Some(kind) =
+        parts.iter().find(|part| matches!(part, Part::Phrase(Phrase::Function("conic_kind"), _))).copied()
+    {
+        // Ellipse, parabola or hyperbola: each is one of the answers.
+        let named = |part: &Part| match part {
+            Part::Phrase(Phrase::Degree(2), span) => {
+                text.piece(span.range()).to_lowercase().starts_with("para")
+            }
+            Part::Phrase(
+                Phrase::Is | Phrase::Or | Phrase::Function("bezier" | "bspline" | "conic_kind"),
+                _,
+            ) => true,
+            _ => false,
+        };
+        parts.retain(|part| !named(part));
+        parts.insert(0, kind);
         return;
     }
     // A vector is normalised in another way.

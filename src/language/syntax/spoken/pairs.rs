@@ -11,6 +11,12 @@ pub(super) fn is_order(text: &str) -> bool {
     text.starts_with(['C', 'G']) && !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit())
 }
 
+/// [0, 1]
+fn is_interval(text: &str) -> bool {
+    let inside = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    inside.is_some_and(|inside| inside.matches([',', ';']).count() == 1 && !inside.contains(['[', ']']))
+}
+
 impl Reader<'_> {
     /// The request whether two curves meet smoothly; `None` if it says anything else besides.
     pub(super) fn two_curves(&self) -> Option<Request> {
@@ -23,9 +29,13 @@ impl Reader<'_> {
         // 2, 3, 5 C^1
         let apart = |span: Span| {
             let text = self.text.piece(span.range());
-            let order = text.split_whitespace().next_back().filter(|word| is_order(word));
-            let rest = text.strip_suffix(order.unwrap_or_default()).unwrap_or(text);
-            let rest = rest.trim_end_matches([',', ' ']);
+            // on [1, 2]: C1? C2?
+            let ends = [',', ' ', '?', ':', ';'];
+            let (mut rest, mut order) = (text.trim_end_matches(ends), None);
+            while let Some(word) = rest.split_whitespace().next_back().filter(|word| is_order(word)) {
+                order = Some(word);
+                rest = rest.strip_suffix(word).unwrap_or(rest).trim_end_matches(ends);
+            }
             (Span::new(span.start, span.start + rest.len()), order)
         };
         let orders: Vec<&str> = self
@@ -44,6 +54,8 @@ impl Reader<'_> {
         let mut curves: Vec<(Span, Option<Span>)> = Vec::new();
         let mut degrees = Vec::new();
         let mut over = false;
+        // on [0, 1] and [1, 2]
+        let mut both: Vec<Span> = Vec::new();
         for part in &self.parts {
             let part = match part {
                 Part::Piece(span) => Part::Piece(apart(*span).0),
@@ -51,6 +63,14 @@ impl Reader<'_> {
             };
             match &part {
                 Part::Piece(span) if span.is_empty() => {}
+                Part::Piece(span)
+                    if curves.len() == 2
+                        && (over || !both.is_empty())
+                        && is_interval(self.text.piece(span.range())) =>
+                {
+                    both.push(*span);
+                    over = false;
+                }
                 Part::Piece(span) if over => {
                     let (_, interval) = curves.last_mut()?;
                     if interval.replace(*span).is_some() {
@@ -71,6 +91,15 @@ impl Reader<'_> {
                 ) => {}
                 _ => return None,
             }
+        }
+        match (both.as_slice(), curves.as_mut_slice()) {
+            ([], _) => {}
+            ([one], [_, (_, interval)]) if interval.is_none() => *interval = Some(*one),
+            ([one, other], [(_, first), (_, second)]) if first.is_none() && second.is_none() => {
+                *first = Some(*one);
+                *second = Some(*other);
+            }
+            _ => return None,
         }
         if over || curves.len() != 2 {
             return None;

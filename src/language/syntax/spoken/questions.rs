@@ -1,6 +1,7 @@
 //! What is asked as a whole: a claim, for which values something holds, what follows from other numbers.
 
 use super::{Asked, Call, Reader, Request, Said, What};
+use crate::formula::source::Pieces;
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::Part;
 
@@ -42,6 +43,31 @@ impl Reader<'_> {
             let request = Request::Formula(vec![*left], Vec::new());
             return Some(Asked { request, equals: Some(What::Formula(*right)) });
         }
+        // is u v + u + v symmetric and affine in each argument?
+        if let Some([Part::Piece(form), Part::Phrase(Phrase::Multiaffine, phrase)]) =
+            self.parts.get(self.at..)
+            && asks
+            && self.text.piece(phrase.range()).to_lowercase().contains("affin")
+        {
+            self.at += 2;
+            let subject = Some(Box::new(Request::Formula(vec![*form], Vec::new())));
+            let call = Call { function: "laws", phrase: *phrase, subject, labels: Vec::new(), part: None };
+            return Some(Asked { request: Request::Call(call), equals: None });
+        }
+        // are B_1^2 and 2t(1 - t) equal?
+        if let Some(
+            [
+                Part::Piece(left),
+                Part::Phrase(Phrase::And, _),
+                Part::Piece(right),
+                Part::Phrase(Phrase::Equals, _),
+            ],
+        ) = self.parts.get(self.at..)
+        {
+            self.at += 4;
+            let request = Request::Formula(vec![*left], Vec::new());
+            return Some(Asked { request, equals: Some(What::Formula(*right)) });
+        }
         // does t^3 - t have roots in [0, 1]?
         let finds = |part: &Part| {
             matches!(
@@ -56,7 +82,10 @@ impl Reader<'_> {
         let asks = asks && (found != 1 || self.next().is_some_and(|part| finds(&part)));
         if asks
             && let Some(Part::Piece(claimed)) = self.next()
-            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
+            && !matches!(
+                self.parts.get(self.at + 1),
+                Some(Part::Phrase(Phrase::Label(_) | Phrase::Equals, _)) | None
+            )
         {
             self.at += 1;
             self.take(Phrase::Is);
@@ -73,7 +102,7 @@ impl Reader<'_> {
                 Some(Part::Phrase(Phrase::Degree(degree), _)) => Some(What::Degree(degree)),
                 _ => None,
             }
-            && request.has_value()
+            && (request.has_value() || self.has_value_at(&request))
         {
             self.at += 1;
             equals = Some(value);
@@ -89,6 +118,12 @@ impl Reader<'_> {
             return None;
         }
         (!asks || equals.is_some()).then_some(Asked { request, equals })
+    }
+
+    /// Whether a formula may be claimed to have a value at a place that is said behind it: does t^2 - 4 vanish at 2?
+    fn has_value_at(&self, request: &Request) -> bool {
+        matches!(request, Request::Formula(items, _) if items.len() == 1)
+            && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(Label::At), _)))
     }
 
     /// The polynomial with a polar form that is given: the polynomial whose blossom is u v + u + v.

@@ -42,20 +42,35 @@ impl Reader<'_> {
             matches!(part, Part::Phrase(Phrase::Function("in_bernstein" | "bernstein" | "bezier"), _))
         };
         let curves = self.parts.iter().any(own);
-        while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
-            || self.next().as_ref().is_some_and(own)
-        {
-            self.at += 1;
-        }
         let mut found = Vec::new();
-        while let Some(Part::Piece(span)) = self.next() {
+        loop {
+            let before = self.at;
+            // multiply bezier [1, 2] by bezier [0, 1, 3]
+            while curves && matches!(self.phrase(), Some(Phrase::Degree(_)))
+                || self.next().as_ref().is_some_and(own)
+            {
+                self.at += 1;
+            }
+            let Some(Part::Piece(span)) = self.next() else {
+                self.at = before;
+                break;
+            };
             self.at += 1;
             found.push(span);
             let goes_on = [Phrase::And, Phrase::Label(Label::In), Phrase::Label(Label::With)];
+            let more = self.at;
             if !goes_on.into_iter().any(|word| self.take(word)) {
                 break;
             }
+            // in Bernstein form of degree 5
+            if !matches!(self.next(), Some(Part::Piece(_))) && !self.next().as_ref().is_some_and(own) {
+                self.at = more;
+                break;
+            }
         }
+        // The form of the product says nothing of its factors.
+        let formula = |span: &Span| self.text.piece(span.range()).contains(char::is_alphabetic);
+        let curves = curves && !(self.leads_to_form() && found.iter().any(formula));
         let equations = found.iter().any(|span| self.text.piece(span.range()).contains('='));
         // in Bernstein form
         if found.len() > 1 && curves {
@@ -63,7 +78,8 @@ impl Reader<'_> {
                 self.at += usize::from(self.next().as_ref().is_some_and(own));
             }
         }
-        if found.len() > 1 && !equations && self.next().is_none() {
+        let form = self.leads_to_form();
+        if found.len() > 1 && !equations && (self.next().is_none() || form) {
             return Some((found, curves));
         }
         self.at = start;
@@ -77,9 +93,15 @@ impl Reader<'_> {
             reader.at += 1;
             Some(span)
         };
+        let text = self.text;
+        let is_range = |span: Span| begins_equation(text.piece(span.range()));
         while self.take(Phrase::Of) {}
+        // the sum from k = 1 to 5 of k^3
+        let leads = matches!(self.parts.get(self.at + 1), Some(Part::Piece(span)) if is_range(*span));
+        if leads && matches!(self.phrase(), Some(Phrase::Label(Label::From | Label::With | Label::Over))) {
+            self.at += 1;
+        }
         let first = piece(self)?;
-        let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
         let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
         let mut end = None;
         let mut index = None;
@@ -92,6 +114,14 @@ impl Reader<'_> {
         }
         while let Some(next) = self.phrase() {
             match next {
+                // die Summe der k^2 von k = 1 bis 5
+                Phrase::Of
+                    if range.is_none()
+                        && matches!(self.parts.get(self.at + 1), Some(Part::Piece(span)) if is_range(*span)) =>
+                {
+                    self.at += 1;
+                    range = Some(piece(self)?);
+                }
                 Phrase::Of if body.is_none() => {
                     self.at += 1;
                     body = Some(piece(self)?);

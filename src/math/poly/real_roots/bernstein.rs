@@ -6,7 +6,7 @@
 //! G. Farin, "Curves and Surfaces for CAGD", chapters 4 and 5.
 
 use num_integer::Integer;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 use crate::budget;
 use crate::math::number::{Int, Rational, factorial};
@@ -64,7 +64,7 @@ pub(super) fn halves(list: &[Int]) -> (Vec<Int>, Vec<Int>) {
 }
 
 /// How often the signs change from one coefficient to the next, zeros left out.
-pub(super) fn sign_changes<'a>(list: impl IntoIterator<Item = &'a Int>) -> usize {
+pub fn sign_changes<'a, N: Signed + 'a>(list: impl IntoIterator<Item = &'a N>) -> usize {
     let mut previous = false;
     let mut changes = 0;
     for (k, x) in list.into_iter().filter(|x| !x.is_zero()).enumerate() {

@@ -21,6 +21,7 @@ mod sturm;
 mod tests;
 
 pub use algebraic::{AlgebraicNumber, RealRoot};
+pub use bernstein::sign_changes;
 pub use clip::{Clip, ClipOutcome};
 pub use extreme::Extreme;
 pub use isolate::Part;
