@@ -178,13 +178,12 @@ impl Checker {
     ) -> Option<(Finding, Option<Meaning>)> {
         let place = &statement.place;
         let right = &chain.sides[1].expr;
-        // b'(t) = 3 (b_1^2 - b_0^2): points of a scheme, whose numbers belong to one t.
+        // b'(t) = 3 (b_1^2 - b_0^2), b(1/4) = b_0^3: points of a scheme, whose numbers belong to one t.
         let scheme = |part: &Expr| {
             matches!(part.kind, Kind::Pow(..) | Kind::Upper(..))
                 && Head::of(part).is_some_and(|head| !head.lower.is_empty() && !head.upper.is_empty())
         };
-        let everywhere = bases(&chain.sides[0].expr).iter().any(|name| is_variable(name));
-        if new.arguments == 1 && everywhere && right.has(&scheme) {
+        if new.arguments == 1 && right.has(&scheme) {
             return None;
         }
         let sides = [&new.side, right].map(|expr| Side { expr: expr.clone(), latex: String::new() });

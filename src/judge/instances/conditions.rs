@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::instances::hypotheses::{self, Solution};
+use crate::judge::instances::hypotheses::{self, Solution, is_coefficient};
 use crate::judge::instances::tally::Tally;
 use crate::judge::instances::trial::Trial;
 use crate::judge::model::FREE_TERMS;
@@ -177,13 +177,16 @@ impl Conditions<'_> {
             !is_variable(symbol.base()) && !spoken_of.contains(symbol) && !own.contains(symbol)
         };
         let ansatz = compare::symbols(right).iter().any(unheard);
+        // q(0) = p(1) says of q what p says: numbers for it are data of a p that may be any polynomial.
+        let of_any = |value: &Value| compare::symbols(value).iter().any(is_coefficient);
+        let data = of_any(&l) != of_any(&r);
         let outcome = compare::relation(rel, &l, &r, &ranges, domain);
         tally.condition.get_or_insert(0);
         tally.sampled |= sampled;
         match outcome {
             Outcome::Holds => outcome,
             // Everything that is claimed about is determined, and it is something else.
-            Outcome::Fails(_) if open(left) > 0 && (open(&l) == 0 || settled) && !ansatz => {
+            Outcome::Fails(_) if open(left) > 0 && (open(&l) == 0 || settled) && !ansatz && !data => {
                 tally.determined += 1;
                 outcome
             }

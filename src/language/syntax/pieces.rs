@@ -189,8 +189,8 @@ pub(super) fn without_asides<'a>(
 
 /// Whether a text is made of words alone that ask for nothing: use Bernstein coefficients; please explain why.
 pub(crate) fn is_aside(text: &str, known: &dyn Fn(&str) -> bool) -> bool {
-    let separates =
-        |c: char| c.is_whitespace() || c.is_ascii_punctuation() || matches!(c, '？' | '。' | '，');
+    // A sign of a formula, as in "a = ?", is none.
+    let separates = |c: char| c.is_whitespace() || ".,;:!?()'\"-？。，".contains(c);
     let mut rest = text.trim_start_matches(separates);
     let mut way = false;
     let none = rest.is_empty();

@@ -25,6 +25,7 @@ impl Reader<'_> {
         if builtin.name != "diagonal" {
             return Ok(None);
         }
+        let item = &self.with_products(item.clone());
         let (form, named) = match &item.kind {
             Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
                 (Kind::Apply(_, groups), [Link { rel: Rel::Eq | Rel::Define, expr, .. }]) => {
@@ -35,7 +36,6 @@ impl Reader<'_> {
             Kind::Name(_) | Kind::Apply(..) => return Ok(None),
             _ => (item.clone(), None),
         };
-        let form = self.with_products(form);
         let letters = named.unwrap_or_else(|| lists::letters(&form, &Expr::int(0)));
         let names: Option<Vec<&str>> = letters
             .iter()
@@ -69,7 +69,7 @@ impl Reader<'_> {
         let own = value(form.clone())?;
         for letter in letters {
             let second = call("diff", vec![form.clone(), letter.clone(), Expr::int(2)], form.span);
-            if value(second).is_none_or(|second| !num_traits::Zero::is_zero(&second)) {
+            if value(second).is_some_and(|second| !num_traits::Zero::is_zero(&second)) {
                 return Some("affine in each argument");
             }
         }
@@ -80,7 +80,7 @@ impl Reader<'_> {
                 .with_name(&pair[0], &between)
                 .with_name(&pair[1], &Expr::name(&pair[0]))
                 .with_name("zeta", &Expr::name(&pair[1]));
-            if value(swapped).is_none_or(|swapped| swapped != own) {
+            if value(swapped).is_some_and(|swapped| swapped != own) {
                 return Some("symmetric");
             }
         }
@@ -158,20 +158,23 @@ impl Reader<'_> {
         Some(items.map(|items| applied(name, items, span)).map_err(|problem| self.fail(problem)))
     }
 
-    /// A formula with products in place of words of letters that stand for arguments: u v for uv.
+    /// A formula with products in place of words of letters that stand for arguments, or that stand in it by themselves:
+    /// u v for uv, a b in ab + a + b.
     pub(super) fn with_products(&self, mut formula: Expr) -> Expr {
-        let span = formula.span;
-        if let Kind::Name(word) = &formula.kind {
-            let letters = word.chars().count() > 1 && word.chars().all(|letter| ARGUMENTS.contains(&letter));
-            return match letters && !defines(&self.session.env, word) {
-                true => {
-                    let names = word.chars().map(|letter| Expr { span, ..Expr::name(letter.to_string()) });
-                    Expr { span, ..Expr::product(names.collect()) }.grouped()
-                }
-                false => formula,
-            };
-        }
-        formula.for_each_child_mut(&mut |child| *child = self.with_products(child.clone()));
+        let names = bases(&formula);
+        let stands = |letter: char| ARGUMENTS.contains(&letter) || names.contains(&letter.to_string());
+        self.split_words(&mut formula, &stands);
         formula
+    }
+
+    fn split_words(&self, formula: &mut Expr, stands: &dyn Fn(char) -> bool) {
+        let span = formula.span;
+        let Kind::Name(word) = &formula.kind else {
+            return formula.for_each_child_mut(&mut |child| self.split_words(child, stands));
+        };
+        if word.chars().count() > 1 && word.chars().all(stands) && !defines(&self.session.env, word) {
+            let names = word.chars().map(|letter| Expr { span, ..Expr::name(letter.to_string()) });
+            *formula = Expr { span, ..Expr::product(names.collect()) }.grouped();
+        }
     }
 }
