@@ -259,7 +259,10 @@ impl Session {
             return None;
         }
         // What changes the question cannot be left out: the true degree, the support of a spline, not, only.
-        if found.unknown.iter().any(|span| matters(text, *span)) {
+        // A part of catmull-rom is no word of its own.
+        let part =
+            |span: &Span| text.piece(span.end..).starts_with('-') || text.piece(..span.start).ends_with('-');
+        if found.unknown.iter().any(|span| part(span) || matters(text, *span)) {
             return None;
         }
         // One word, or words side by side.
@@ -315,6 +318,16 @@ impl Session {
 
     /// A query as it is written, if it has an answer.
     fn tried(&self, query: Expr) -> Option<String> {
+        // Nobody multiplies by a word: -rom 0 is the rest of catmull-rom.
+        let word = |factor: &Expr| match &factor.kind {
+            Kind::Name(name) => {
+                !letters::is_one_letter(name) && !name.contains('_') && !defines(&self.env, name)
+            }
+            _ => false,
+        };
+        if query.has(&|part| matches!(&part.kind, Kind::Mul(factors) if factors.iter().any(word))) {
+            return None;
+        }
         let written = write::text(&query);
         let mut there = self.clone();
         there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };
