@@ -5,12 +5,12 @@ use super::Builtin;
 use super::gives::Gives;
 use super::parameter::{CURVE, Parameter, VARIABLE, optional, required};
 use super::record::Variant;
-use super::roots::{interval, numeric};
+use super::roots::{LOWER, UPPER, interval, numeric};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::curve_error;
 use crate::language::ops::formula;
-use crate::language::ops::geometry::{point_of, points_of, scalar_list};
+use crate::language::ops::geometry::{point_of, scalar_list};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, free_parameter};
 use crate::math::curve::{self, BezierCurve, Interval, Point};
@@ -46,12 +46,7 @@ const NUMBERS: Parameter = required("list", Takes::Scalars, "the numbers").shown
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "critical_points",
-        parameters: &[
-            F,
-            optional("a", Takes::Number, "no bound", "the lower end"),
-            optional("b", Takes::Number, "no bound", "the upper end"),
-            VARIABLE,
-        ],
+        parameters: &[F, LOWER, UPPER, VARIABLE],
         summary: "where the derivative is 0, each place once; of a curve for each coordinate",
         gives: Gives::List,
         example: "critical_points(t^3 - 3t)",
@@ -224,12 +219,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 .collect();
             length_of(&points?, args)
         }),
-        call: |_, args| {
-            let given = args.value(0)?;
-            let (points, _) =
-                points_of(given).ok_or_else(|| Takes::Points.refuses(given).at(args.span(0)))?;
-            length_of(&points, args)
-        },
+        call: |_, args| length_of(&args.control_points(0)?.0, args),
         ..Builtin::about("Lengths and areas")
     },
     Builtin {

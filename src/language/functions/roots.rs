@@ -30,9 +30,9 @@ const LETTER: Parameter =
 const POLYNOMIAL: Parameter =
     required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients");
 
-const LOWER: Parameter = optional("a", Takes::Number, "no bound", "the lower end");
+pub(super) const LOWER: Parameter = optional("a", Takes::Number, "no bound", "the lower end");
 
-const UPPER: Parameter = optional("b", Takes::Number, "no bound", "the upper end");
+pub(super) const UPPER: Parameter = optional("b", Takes::Number, "no bound", "the upper end");
 
 const WIDTH: Parameter = named(
     "width=1/1000",

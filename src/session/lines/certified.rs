@@ -71,17 +71,20 @@ impl Session {
             Some((claimed, ends)) => (Some(claimed), Some(ends)),
             None => (read(claim), None),
         };
-        let region = found.region.and_then(|region| {
-            let read = read(place(region))?;
-            <[Expr; 2]>::try_from(read.items()?.to_vec()).ok()
-        });
-        let ends = region.or(ends).unwrap_or([Expr::int(0), Expr::int(1)]);
-        let falls = claimed.is_some_and(|claimed| self.falls(&claimed, &ends));
+        let ends = found.region.and_then(|region| self.ends(file, place(region))).or(ends);
+        let falls = claimed.is_some_and(|claimed| self.falls(&claimed, ends.as_ref()));
         SignClaim { shape: Some(shape.in_direction(falls)), ..found }
     }
 
-    /// Whether a formula is smaller at the second end than at the first.
-    fn falls(&self, claimed: &Expr, ends: &[Expr; 2]) -> bool {
+    /// The ends of the interval that stands at a place.
+    fn ends(&self, file: &SourceFile, region: Span) -> Option<[Expr; 2]> {
+        let read = self.read(file, region).ok()?;
+        read.items()?.to_vec().try_into().ok()
+    }
+
+    /// Whether a formula is smaller at the second end, or 1, than at the first, or 0.
+    fn falls(&self, claimed: &Expr, ends: Option<&[Expr; 2]>) -> bool {
+        let [first, second] = ends.cloned().unwrap_or([Expr::int(0), Expr::int(1)]);
         let scalar = |mut formula: Expr| match self.clone().evaluate(&mut formula, Equals::Claims) {
             Ok(Outcome { value: Value::Scalar(value), .. }) => Some(value),
             _ => None,
@@ -93,7 +96,7 @@ impl Session {
             scalar(call("subs", vec![claimed.clone(), value], claimed.span))
                 .and_then(|value| value.as_rational())
         };
-        matches!((at(&ends[0]), at(&ends[1])), (Some(first), Some(second)) if second < first)
+        matches!((at(&first), at(&second)), (Some(first), Some(second)) if second < first)
     }
 
     /// What is claimed of the sign or the shape of an object that was described before: is it positive on [0, 1]?
@@ -114,39 +117,20 @@ impl Session {
         let place = |(a, b): (usize, usize)| Span::new(text.start + a, text.start + b);
         let region = match found.region {
             None => None,
-            Some(region) => {
-                let read = self.read(file, place(region)).ok()?;
-                Some(<[Expr; 2]>::try_from(read.items()?.to_vec()).ok()?)
-            }
+            Some(region) => Some(self.ends(file, place(region))?),
         };
-        let own = match &object.kind {
-            Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "bezier") => {
-                match groups.first()?.as_slice() {
-                    [_] => Some([Expr::int(0), Expr::int(1)]),
-                    [_, a, b] => Some([a.clone(), b.clone()]),
-                    _ => return None,
-                }
-            }
-            _ => None,
-        };
-        let claimed = match own {
-            Some(_) => applied(object.clone(), vec![Expr { span: text, ..Expr::name("t") }], text),
-            None => object.clone(),
+        let (claimed, own) = match is_bezier(object) {
+            true => along(object, text).map(|(claimed, ends)| (claimed, Some(ends)))?,
+            false => (object.clone(), None),
         };
         let ends = region.or(own);
         let shape = match shape.has_no_direction() {
-            true => shape
-                .in_direction(self.falls(&claimed, &ends.clone().unwrap_or([Expr::int(0), Expr::int(1)]))),
+            true => shape.in_direction(self.falls(&claimed, ends.as_ref())),
             false => shape,
         };
         match ends {
             Some([a, b]) => self.sign_over(&claimed, shape, [&a, &b], text),
-            None => {
-                let function =
-                    (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], text));
-                let zero = Expr { span: text, ..Expr::int(0) };
-                Some(Expr { span: text, ..Expr::relation(function, shape.relation(), zero) })
-            }
+            None => Some(sign_of(claimed, shape, text)),
         }
     }
 
@@ -157,17 +141,7 @@ impl Session {
         if ["polygon", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)) {
             return None;
         }
-        let object = self.spoken_data(file, claim)?;
-        let Kind::Apply(callee, groups) = &object.kind else { return None };
-        if !matches!(&callee.kind, Kind::Name(name) if name == "bezier") {
-            return None;
-        }
-        let ends = match groups.first()?.as_slice() {
-            [_] => [Expr::int(0), Expr::int(1)],
-            [_, a, b] => [a.clone(), b.clone()],
-            _ => return None,
-        };
-        Some((applied(object.clone(), vec![Expr { span: claim, ..Expr::name("t") }], claim), ends))
+        along(&self.spoken_data(file, claim)?, claim)
     }
 
     /// Judges what is said of the sign of a function, as the relation that says it: `t^2 + 1 is positive for all t`.
@@ -202,9 +176,7 @@ impl Session {
             },
             _ => claimed,
         };
-        let function = (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], claim));
-        let zero = Expr { span: claim, ..Expr::int(0) };
-        let relation = Expr { span: claim, ..Expr::relation(function, shape.relation(), zero) };
+        let relation = sign_of(claimed, shape, claim);
         let note = read_as(&relation, claim);
         let mut conditions: Vec<(Span, bool)> =
             found.region.map(|region| (place(region), false)).into_iter().collect();
@@ -231,8 +203,7 @@ impl Session {
 impl Session {
     /// A strict claim on an interval by the least or largest value there: minimum(F, 0, 1) > 0.
     fn sign_over(&self, claimed: &Expr, shape: Shape, [a, b]: [&Expr; 2], span: Span) -> Option<Expr> {
-        let function =
-            (0..shape.order).fold(claimed.clone(), |function, _| call("diff", vec![function], span));
+        let function = derived(claimed.clone(), shape, span);
         let extreme = match shape.relation() {
             Rel::Gt | Rel::Ge => "minimum",
             Rel::Lt | Rel::Le => "maximum",
@@ -242,6 +213,33 @@ impl Session {
         let zero = Expr { span, ..Expr::int(0) };
         Some(Expr { span, ..Expr::relation(value, shape.relation(), zero) })
     }
+}
+
+fn is_bezier(object: &Expr) -> bool {
+    matches!(&object.kind, Kind::Apply(callee, _) if matches!(&callee.kind, Kind::Name(name) if name == "bezier"))
+}
+
+/// A Bézier curve at a parameter, and its interval.
+fn along(object: &Expr, span: Span) -> Option<(Expr, [Expr; 2])> {
+    let Kind::Apply(_, groups) = &object.kind else { return None };
+    let ends = match groups.first().filter(|_| is_bezier(object))?.as_slice() {
+        [_] => [Expr::int(0), Expr::int(1)],
+        [_, a, b] => [a.clone(), b.clone()],
+        _ => return None,
+    };
+    Some((applied(object.clone(), vec![Expr { span, ..Expr::name("t") }], span), ends))
+}
+
+/// The derivative whose sign a shape speaks of.
+fn derived(function: Expr, shape: Shape, span: Span) -> Expr {
+    (0..shape.order).fold(function, |function, _| call("diff", vec![function], span))
+}
+
+/// What a shape says of the sign of a function, or of a derivative.
+fn sign_of(claimed: Expr, shape: Shape, span: Span) -> Expr {
+    let function = derived(claimed, shape, span);
+    let zero = Expr { span, ..Expr::int(0) };
+    Expr { span, ..Expr::relation(function, shape.relation(), zero) }
 }
 
 /// What is not negative if the claim holds.
@@ -259,9 +257,9 @@ fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
         Expr { span, ..Expr::sum(vec![term(Sign::Plus, left), term(Sign::Minus, right)]) }
     };
     match (shape, claimed.kind) {
-        (Some(shape @ Shape { order, .. }), kind) if !matches!(kind, Kind::Chain(..)) => {
+        (Some(shape), kind) if !matches!(kind, Kind::Chain(..)) => {
             let start = Expr { span, ..kind.into() };
-            let derived = (0..order).fold(start, |f, _| call("diff", vec![f], span));
+            let derived = derived(start, shape, span);
             Some(if shape.is_turned() { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })
         }
         (None, Kind::Chain(left, mut links)) if links.len() == 1 => {

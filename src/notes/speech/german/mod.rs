@@ -178,7 +178,6 @@ pub(super) const FILLERS: &[&str] = &[
     "jedes",
     "jede",
     "stets",
-    "stets",
     "zunächst",
 ];
 
