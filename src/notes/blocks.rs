@@ -168,6 +168,8 @@ pub(super) struct Changes {
     pub(super) so_far: u32,
     /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
     passing: bool,
+    /// Whether the last words put something in the place of what the next formula is.
+    replacing: bool,
     /// Whether words that are not understood may change data in each paragraph.
     foreign: bool,
     /// A list of numbers that the page gave.
@@ -183,13 +185,21 @@ impl Changes {
     /// Words that put other data in the place of those before, or end a sentence that has data of its own.
     pub(super) fn words(&mut self, words: &str) {
         let ends = self.passing && speech::ends_a_sentence(words);
-        self.so_far += u32::from(ends || speech::changes_data(words, self.foreign));
+        let changed = speech::changes_data(words, self.foreign);
+        self.so_far += u32::from(ends || changed);
         self.passing &= !ends;
+        self.replacing = changed && !ends && speech::replaces_next(words);
     }
 
     /// A formula after some words.
     pub(super) fn formula(&mut self, before: &str, text: &str) {
-        self.passing |= text.contains('=') && speech::is_for_some_data(before);
+        // "We replace t^2 by (s t + …)/3": powers of the variable are no data.
+        if std::mem::take(&mut self.replacing) && is_power_of_a_variable(text) {
+            self.so_far -= 1;
+        }
+        // "At the parameter t = 1/4" gives a place.
+        let datum = text.split_once('=').is_some_and(|(name, _)| !is_variable(name.trim()));
+        self.passing |= datum && speech::is_for_some_data(before);
         // "With the ordinates 1, -1, 1 … With 1, -2, 1 …"
         let number = |c: char| c.is_ascii_digit() || "-,;. \\frac{}()tbl/".contains(c);
         if text.contains([',', ';'])
@@ -206,6 +216,11 @@ impl Changes {
     pub(super) fn paragraph(&mut self) {
         self.so_far += u32::from(std::mem::take(&mut self.passing) || self.foreign);
     }
+}
+
+/// t^3, x^k: a name and an exponent.
+fn is_power_of_a_variable(text: &str) -> bool {
+    text.split_once('^').is_some_and(|(name, _)| is_variable(name.trim()))
 }
 
 /// "For c = (1, -1, 1) … For c = (1, 0, 1) …", "For f(x) = e^x … For f(x) = 1/(1-x) …": what comes after a name gets

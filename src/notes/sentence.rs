@@ -15,6 +15,7 @@ use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::page::statement::{Chain, Role, Said, Statement, links};
 use crate::judge::written::names::{Head, bases};
+use crate::language::lexicon::roles::is_variable;
 
 /// Gives every statement its role and every claim the cases of its sentence.
 ///
@@ -218,7 +219,12 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let opened =
             at == 1 && speech::goes_on(&words.left) == Some(false) && !words.left.trim().is_empty() && {
                 let start = words_of(formulas[0]);
-                start.first && roles[0].0.is_none() && speech::opens_case(&start.left)
+                // "For the values b_0 = 0, b_1 = 2": the first says what it is, and so does the next.
+                let data = statements.first().is_some_and(|first| match &first.said {
+                    Said::Chain(chain) => gives_member(chain),
+                    _ => false,
+                });
+                start.first && roles[0].0.is_none() && !data && speech::opens_case(&start.left)
             };
         if opened {
             roles.push((Some(Role::Case), false));
@@ -476,10 +482,14 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
             let joined = words.starts_with(|c: char| !c.is_alphanumeric()) || speech::joins(words);
             next.role == Some(Role::Claimed) && !joined && words.split_whitespace().count() < 3
         });
-        let targets = match (forward || leads, after.is_empty(), before.is_empty()) {
+        let mut targets = match (forward || leads, after.is_empty(), before.is_empty()) {
             (true, false, _) | (false, false, true) => after,
             _ => before,
         };
+        // "Evaluate x(t) = Σ b_i B_i^3(t) with b_0 = (0, 0), … at t = 1/4": what is given holds for all t.
+        if let Some(variable) = only_place(&statements[at..end]) {
+            targets.retain(|&target| target > at || !is_given_for_all(&statements[target], &variable));
+        }
         if targets.is_empty() {
             for statement in &mut statements[at..end] {
                 // A restriction of names, such as a sum of weights, goes on, and so does what the words of the
@@ -507,6 +517,34 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         }
         at = end;
     }
+}
+
+/// The variable of t = 1/4, if a run of cases is one such place.
+fn only_place(cases: &[Statement]) -> Option<String> {
+    let [Statement { said: Said::Chain(chain), .. }] = cases else { return None };
+    match (chain.sides.as_slice(), chain.relations.as_slice()) {
+        ([name, value], [(Rel::Eq, _)]) if bases(&value.expr).is_empty() => match &name.expr.kind {
+            Kind::Name(name) if is_variable(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether it says what a function of a variable is, x(t) = t^2, or gives a point by numbers.
+fn is_given_for_all(statement: &Statement, variable: &str) -> bool {
+    let Said::Chain(chain) = &statement.said else { return false };
+    let ([left, right], [(Rel::Eq | Rel::Define, _)]) = (chain.sides.as_slice(), chain.relations.as_slice())
+    else {
+        return false;
+    };
+    let Some(head) = Head::of(&left.expr) else { return false };
+    let names = bases(&right.expr);
+    let point = head.lower.len() == 1 && head.upper.is_empty() && head.arguments.is_none();
+    let function = head.lower.is_empty()
+        && matches!(head.flat().as_slice(), [Expr { kind: Kind::Name(own), .. }] if own == variable);
+    statement.role != Some(Role::Claimed)
+        && (point && names.is_empty() || function && names.contains(variable))
 }
 
 /// The conditions that a run of cases says; `None` if one of them cannot be said as a formula.

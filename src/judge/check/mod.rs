@@ -104,8 +104,10 @@ impl Checker {
                 self.operators(chain, &statement.place);
                 let before = self.context.mark();
                 self.before = before;
-                // [c, d] = [1, 2]
-                for side in chain.sides.iter().filter(|side| interval(&side.expr).is_some()) {
+                // [c, d] = [1, 2]; b_3 = (16, 0) is a point.
+                let closed =
+                    |side: &&Side| interval(&side.expr).is_some_and(|(_, open)| open != [true, true]);
+                for side in chain.sides.iter().filter(closed) {
                     Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
                 }
                 if equates_values(chain) {

@@ -4,11 +4,11 @@ use super::super::speech::Word;
 use super::Reader;
 use super::attributes::is_call;
 use super::facts::degree_of_knots;
-use super::subject::{named, subject};
+use super::subject::{left_side, named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
 use crate::judge::page::object::{Object, Sort};
-use crate::judge::written::names::is_range;
+use crate::judge::written::names::{Head, is_range};
 
 /// A noun phrase.
 pub(super) struct Phrase {
@@ -150,7 +150,12 @@ impl Reader<'_> {
                     if items.first().is_some_and(|first| !equation(first)) && more.iter().any(equation) {
                         break;
                     }
-                    items.extend(more.iter().cloned());
+                    // "the curve P(t) = Σ P_i B_{i,3}(t), B_{i,3}(t) = …": what the curve is made of follows it.
+                    let shape = |item: &Expr| Head::of(left_side(item)).map(|head| head.lower.len());
+                    let own = more.first().filter(|first| equation(first)).and_then(shape);
+                    let alike =
+                        |item: &&Expr| own.is_none_or(|own| shape(item).is_none_or(|count| count == own));
+                    items.extend(more.iter().take_while(alike).cloned());
                 }
                 Some(Token::Number(number)) => items.push(Expr::int(*number)),
                 _ => break,

@@ -64,6 +64,13 @@ pub fn changes_data(words: &str, foreign: bool) -> bool {
     }) || foreign && super::tongue::CHANGED.iter().any(|cue| begins(cue))
 }
 
+/// Whether what is changed by these words is the formula after them: "we replace".
+pub fn replaces_next(words: &str) -> bool {
+    let text = words.to_lowercase();
+    let last = text.rsplit(['.', '。', '!', '?', '！', '？', ',', '，', ';', ':']).next().unwrap_or_default();
+    changes_data(last, false) && last.split_whitespace().count() <= 4
+}
+
 /// Whether a sentence ends within these words or right before them.
 pub fn ends_a_sentence(words: &str) -> bool {
     words.trim_start().starts_with(char::is_uppercase)

@@ -6,7 +6,7 @@ use super::super::forms::is_transposed;
 use super::super::reader::{Reader, Result, Window};
 use super::super::token::{Fence, Tok};
 use crate::formula::source::{Pieces, Span};
-use crate::formula::{BinomialStyle, Expr, Kind};
+use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::roles::is_power_of_sum;
@@ -103,6 +103,17 @@ impl Reader<'_> {
             return self.node(truncated(base, exponent), start);
         }
         let square = matches!(self.tokens[first].kind, Tok::Open(Fence::Square) | Tok::Left(Fence::Square));
+        // [ t^2 (1 - t) ]_{t = 1/3}
+        if upper.is_none()
+            && primes == 0
+            && matches!(base.kind, Kind::Group(_))
+            && let Some([Expr { kind: Kind::Chain(place, links), .. }]) = lower.as_deref()
+            && matches!(place.kind, Kind::Name(_))
+            && matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }])
+        {
+            let kind = Kind::At { body: Box::new(base), lower: lower.unwrap_or_default(), upper: None };
+            return self.node(kind, start);
+        }
         let (lower, upper) = match (lower, upper) {
             (Some(mut lower), Some(Raise::Power(above))) if primes == 0 => {
                 if is_binomial_coefficient(&base, &lower, &above) {
