@@ -1,7 +1,8 @@
 //! Fractions, and fractions of differentials, which are derivatives.
 
 use super::reader::{Reader, Result, Window};
-use super::token::Tok;
+use super::token::{Fence, Tok};
+use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -108,6 +109,64 @@ impl Reader<'_> {
             return None;
         }
         Some((Differentials { partial, body: body..above_end, variables }, below_end + 1))
+    }
+
+    /// `dx/dt`, `\partial^2 x/\partial u\,\partial v` at the current token, with its end.
+    pub fn inline_derivative(&mut self) -> Result<Option<Expr>> {
+        let start = self.start();
+        match self.inline_differentials() {
+            Some((differentials, end)) => self.derivative(differentials, end, start).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    fn inline_differentials(&self) -> Option<(Differentials, usize)> {
+        let (partial, next) = self.differential_at(self.pos)?;
+        let (order, next) = self.order_at(next, self.end)?;
+        let (at, kind) = self.look(next)?;
+        // d/dt, or what is differentiated: a name, perhaps at its arguments.
+        let body = if kind == Tok::Slash {
+            at..at
+        } else {
+            let name = self.variable_at(at)?;
+            match self.look(name.end)? {
+                (_, Tok::Slash) => name,
+                (open, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren)) => name.start..self.after(open),
+                _ => return None,
+            }
+        };
+        let (slash, Tok::Slash) = self.look(body.end)? else { return None };
+        let (first, kind) = self.look(slash + 1)?;
+        let enclosed = matches!(kind, Tok::Open(Fence::Paren)).then(|| self.after(first));
+        let (mut at, last) = match enclosed {
+            Some(after) => (first + 1, after - 1),
+            None => (first, self.end),
+        };
+        let number = |window: &Option<Window>| match window {
+            Some(order) => self.number_in(order.clone()),
+            None => Some(1),
+        };
+        let mut variables = Vec::new();
+        let (whole, mut sum) = (number(&order), 0);
+        while (variables.is_empty() || enclosed.is_some() || whole.is_some_and(|whole| sum < whole))
+            && !self.is_blank(at..last)
+        {
+            let (_, next) = self.differential_at(at).filter(|(own, _)| *own == partial)?;
+            let variable = self.variable_at(next)?;
+            let (own, end) = self.order_at(variable.end, last).filter(|(_, end)| *end <= last)?;
+            sum += number(&own).unwrap_or(0);
+            variables.push((variable, own));
+            at = end;
+        }
+        let fits = !variables.is_empty() && whole.is_none_or(|whole| whole == sum);
+        fits.then_some((Differentials { partial, body, variables }, enclosed.unwrap_or(at)))
+    }
+
+    /// The number that is all of a window, in braces or not.
+    fn number_in(&self, window: Window) -> Option<u32> {
+        let braces = |c: char| matches!(c, '{' | '}') || c.is_whitespace();
+        let (first, last) = (self.span_at(window.start), self.span_at(window.end - 1));
+        self.text.piece(first.to(last).range()).trim_matches(braces).parse().ok()
     }
 
     /// The superscript at `at`, if there is one before `end`, and the index after it.

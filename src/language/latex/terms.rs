@@ -107,7 +107,7 @@ impl Reader<'_> {
         if let Some(PLUS_MINUS | MINUS_PLUS) = self.peek() {
             return self.either_sign(None, start);
         }
-        let first = self.operand();
+        let first = self.factor();
         match self.peek() {
             Some(kind) if self.goes_on(kind) => self.factors(first?, start),
             _ => first,
@@ -173,7 +173,7 @@ impl Reader<'_> {
                     self.wrap(layers).and_then(|()| self.evaluated(body, start))
                 }
                 _ => {
-                    let next = self.operand();
+                    let next = self.factor();
                     if let (Some(last), Ok(next)) = (factors.last(), &next) {
                         self.refuse_mixed_number(last, next)?;
                         self.refuse_two_numbers(&factors, next)?;
@@ -184,6 +184,14 @@ impl Reader<'_> {
             factors.push(next?);
         }
         Ok(self.joined(factors, start))
+    }
+
+    /// A derivative `dx/dt`, or an operand.
+    fn factor(&mut self) -> Result<Expr> {
+        match self.inline_derivative()? {
+            Some(derivative) => Ok(derivative),
+            None => self.operand(),
+        }
     }
 
     fn refuse_mixed_number(&self, before: &Expr, after: &Expr) -> Result<()> {
