@@ -8,6 +8,7 @@ mod blame;
 mod declare;
 mod derivation;
 mod implied;
+mod operators;
 
 use std::rc::Rc;
 
@@ -90,6 +91,8 @@ impl Checker {
                 let chain = &whole_sums(chain);
                 let derived = self.without_operator(chain, &statement.place);
                 let chain = derived.as_ref().unwrap_or(chain);
+                let operated = self.with_operators(chain);
+                let chain = operated.as_ref().unwrap_or(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;
                     for at in 0..chain.relations.len() {

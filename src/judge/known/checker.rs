@@ -43,6 +43,8 @@ pub struct Checker {
     pub(in crate::judge) agreements: Vec<Agreement>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(in crate::judge) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// Letters of the operators that the page defines.
+    pub(in crate::judge) operators: BTreeSet<String>,
     /// Functions with laws that stayed open, each with its place and line.
     pub(in crate::judge) laws: Vec<(String, Place, usize)>,
     /// What was known before the statement that is judged.
@@ -73,6 +75,7 @@ impl Checker {
             agreed: Vec::new(),
             agreements: Vec::new(),
             settled: RefCell::default(),
+            operators: BTreeSet::new(),
             laws: Vec::new(),
             before: Mark::default(),
             confirming: false,

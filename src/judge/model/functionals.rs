@@ -56,7 +56,7 @@ impl Model {
 }
 
 /// Whether a formula applies a name to something.
-fn applies(body: &Expr, name: &str) -> bool {
+pub(in crate::judge) fn applies(body: &Expr, name: &str) -> bool {
     body.has(&|part| {
         let callee = match &part.kind {
             Kind::Apply(callee, _) => callee,

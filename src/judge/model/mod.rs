@@ -23,6 +23,8 @@ mod steps;
 mod symmetric;
 mod tensor;
 
+pub(in crate::judge) use functionals::applies;
+
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
