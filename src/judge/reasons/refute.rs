@@ -268,7 +268,7 @@ pub fn decide(
         let constant = is_constant(&failure.left) && is_constant(&failure.right);
         let member =
             (constant || is_constant(&failure.right) && failure.differs_by_a_number()) && of_family();
-        if member {
+        if member || claimed && is_computed(checker, head, statement, &failure) {
             return refuted(failure);
         }
         // n = 2, a_k = k^2: a name that is no function gets a new value, unless it has one in the same symbols.
@@ -556,6 +556,22 @@ pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -
     } else {
         Decision::Condition(reason.to_owned())
     }
+}
+
+/// "Let m = (a + b)/2, where a = 2 and b = 4. Then m = 4": a name whose formula gives a number with what is known.
+fn is_computed(checker: &Checker, head: &Head, statement: &Statement, failure: &Failure) -> bool {
+    let plain = head.arguments.is_none() && head.lower.is_empty() && head.upper.is_empty();
+    let constant = [&failure.left, &failure.right].iter().all(|value| compare::symbols(value).is_empty());
+    let mut known = checker.context.visible(&head.base, &statement.place);
+    plain
+        && constant
+        && known.next().is_some_and(|(_, own, near)| {
+            let made = match &own.body {
+                Body::Formula(body) => !bases(body).is_empty(),
+                Body::Value(_) => false,
+            };
+            near && made && !statement.place.may_change(&own.place)
+        })
 }
 
 fn is_constant(value: &Value) -> bool {

@@ -409,10 +409,13 @@ impl Suspect<'_> {
     fn is_value_of_member(&self) -> bool {
         let [left, right] = self.sides();
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
-        let head = Head::of(left).filter(|head| head.arguments.is_none() && !head.lower.is_empty());
+        let head = Head::of(left).filter(|head| head.arguments.is_none());
         let Some(head) = head.filter(|head| head.lower.iter().chain(&head.upper).all(number)) else {
             return false;
         };
+        if head.lower.is_empty() && head.upper.is_empty() {
+            return self.is_value_of_name(&head);
+        }
         let place = &self.statement.place;
         let family = |definition: &Definition| {
             definition.head.base == head.base
@@ -421,6 +424,23 @@ impl Suspect<'_> {
         };
         let claimed = self.claimed() || self.statement.concludes;
         claimed && self.failure.differs_by_a_number() && bases(right).is_empty() && self.used().any(family)
+    }
+
+    /// Whether it claims another number for a name whose formula and data stand here: q = a - b, where a = 2 and b = 1.
+    fn is_value_of_name(&self, head: &Head) -> bool {
+        let place = &self.statement.place;
+        let here = |definition: &Definition| {
+            (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+        };
+        let made = |definition: &Definition| {
+            definition.head.base == head.base
+                && matches!(&definition.body, Body::Formula(body) if !bases(body).is_empty())
+        };
+        self.claimed()
+            && self.symbols().is_empty()
+            && self.tally.record.unknown.is_empty()
+            && self.used().all(here)
+            && self.used().any(made)
     }
 
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.
