@@ -8,6 +8,7 @@ mod blame;
 mod declare;
 mod derivation;
 mod implied;
+mod marks;
 mod operators;
 
 use std::rc::Rc;
@@ -85,6 +86,7 @@ impl Checker {
                 }
                 self.findings.push(finding);
                 Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
+                self.remember_list(&side.expr, statement);
                 self.join(&side.expr, statement);
             }
             Said::Chain(chain) => {
@@ -93,6 +95,8 @@ impl Checker {
                 let chain = derived.as_ref().unwrap_or(chain);
                 let operated = self.with_operators(chain);
                 let chain = operated.as_ref().unwrap_or(chain);
+                let renamed = self.with_marked_names(chain, &statement.place);
+                let chain = renamed.as_ref().unwrap_or(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;
                     for at in 0..chain.relations.len() {
@@ -141,6 +145,7 @@ impl Checker {
                         self.remember_law(chain, &statement.place, &findings);
                         let line = self.line(chain.sides[0].expr.span);
                         self.unread.extend(Unread::of(chain, &statement.place, &findings, line));
+                        self.remember_row(chain, statement, self.findings.len());
                         self.findings.extend(findings);
                     }
                     Err(stop) => {
@@ -212,6 +217,7 @@ impl Checker {
         self.by_description(chain, statement, &mut findings, before);
         self.by_scheme(chain, statement, &mut findings);
         self.by_insertion(chain, statement, &mut findings, before);
+        self.by_curvature(chain, statement, &mut findings, before);
         self.by_own_values(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
         Ok(findings)

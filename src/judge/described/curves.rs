@@ -27,7 +27,7 @@ const CURVE: &str = "\u{25ab}";
 
 impl Curve {
     /// A curve with a name, over [0, 1].
-    fn new(name: Expr, degree: Expr) -> Self {
+    pub(super) fn new(name: Expr, degree: Expr) -> Self {
         let interval = (Expr::int(0), Expr::int(1));
         Curve { name, degree, interval, points: None, object: None, segment: false }
     }

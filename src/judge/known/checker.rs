@@ -7,7 +7,7 @@ use std::rc::Rc;
 use crate::budget::Limits;
 use crate::formula::Expr;
 use crate::formula::source::{SourceFile, Span};
-use crate::judge::known::found::{Agreement, Scheme, Taken, Use};
+use crate::judge::known::found::{Agreement, Row, Scheme, Taken, Use};
 use crate::judge::known::unread::Unread;
 use crate::judge::model::Ambiguity;
 use crate::judge::page::context::{Body, Condition, Context, Definition, Mark, Source};
@@ -43,8 +43,12 @@ pub struct Checker {
     pub(in crate::judge) agreements: Vec<Agreement>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(in crate::judge) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// Numbers that the page gives, for later ones.
+    pub(in crate::judge) rows: Vec<Row>,
     /// Letters of the operators that the page defines.
     pub(in crate::judge) operators: BTreeSet<String>,
+    /// Letters that with a prime are new things, and no derivatives.
+    pub(in crate::judge) marked: BTreeSet<String>,
     /// Functions with laws that stayed open, each with its place and line.
     pub(in crate::judge) laws: Vec<(String, Place, usize)>,
     /// What was known before the statement that is judged.
@@ -75,6 +79,8 @@ impl Checker {
             agreed: Vec::new(),
             agreements: Vec::new(),
             settled: RefCell::default(),
+            rows: Vec::new(),
+            marked: BTreeSet::new(),
             operators: BTreeSet::new(),
             laws: Vec::new(),
             before: Mark::default(),

@@ -6,6 +6,7 @@ use crate::formula::Expr;
 use crate::judge::page::finding::Finding;
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::Place;
+use crate::judge::page::topic::Topics;
 use crate::math::number::Rational;
 
 /// A theorem that gave a member of a family on the page.
@@ -53,6 +54,23 @@ pub(in crate::judge) enum Made {
     /// One of its coordinates.
     Coordinate(usize),
     PolarForm,
+}
+
+/// The coordinates of a point, or one number.
+pub(in crate::judge) type Point = Vec<Rational>;
+
+/// Numbers that a page gives: a list, or members of one family one after the other.
+#[derive(Clone)]
+pub(in crate::judge) struct Row {
+    /// The family; empty for a list without names.
+    pub(in crate::judge) letter: String,
+    pub(in crate::judge) first: i64,
+    /// The points, each with the number of the finding that is about it.
+    pub(in crate::judge) items: Vec<(Point, Option<usize>)>,
+    pub(in crate::judge) place: Place,
+    pub(in crate::judge) topics: Topics,
+    /// Whether it is given, and not claimed.
+    pub(in crate::judge) given: bool,
 }
 
 /// A curve of the section.

@@ -14,9 +14,11 @@ use crate::language::value::Value;
 use crate::language::write;
 use crate::math::basis;
 use crate::math::blossom::{Argument, PolarForm};
+use crate::math::linalg;
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::Ring;
+use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
 /// Functions that are affine in each of more arguments, and not symmetric, have too many coefficients.
@@ -34,6 +36,11 @@ impl Model {
         values: &[Vec<Value>],
         expr: &Expr,
     ) -> Evaluated {
+        if head.base == "det"
+            && let Some(value) = determinant_of_columns(values)
+        {
+            return Ok(value);
+        }
         let letter = head.base.rsplit(' ').next().unwrap_or(&head.base).trim_end_matches("[]");
         if letter.chars().count() > 1 && crate::language::lexicon::letters::sign(letter).is_none() {
             // min, exp, a function called Q2: nobody says that it is a polynomial.
@@ -440,4 +447,22 @@ impl Model {
 
 fn zero() -> Fraction {
     Fraction::from(MultiPoly::zero())
+}
+
+/// det(a, b) of as many vectors as they have coordinates.
+fn determinant_of_columns(values: &[Vec<Value>]) -> Option<Value> {
+    let scalar = |value: Value| match value {
+        Value::Scalar(formula) => Some(formula),
+        _ => None,
+    };
+    let column = |value: &Value| -> Option<Vec<Fraction>> {
+        value.clone().coordinates()?.into_iter().map(scalar).collect()
+    };
+    let columns: Vec<Vec<Fraction>> = values.iter().flatten().map(column).collect::<Option<_>>()?;
+    let size = columns.len();
+    if size < 2 || columns.iter().any(|column| column.len() != size) {
+        return None;
+    }
+    let matrix = DMatrix::from_fn(size, size, |i, j| columns[j][i].clone());
+    linalg::determinant(&matrix).ok().map(Value::Scalar)
 }

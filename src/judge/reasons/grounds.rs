@@ -128,5 +128,6 @@ impl Checker {
                 ..finding.clone()
             };
         }
+        self.by_rows();
     }
 }

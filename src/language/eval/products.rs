@@ -20,6 +20,10 @@ use crate::language::value::Value;
 use crate::math::poly::Symbol;
 use num_traits::Signed;
 
+fn is_scalar(value: &Value) -> bool {
+    matches!(value, Value::Scalar(_))
+}
+
 impl Machine {
     /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
     /// that follows it: (F + G)(t), F^2(t).
@@ -38,6 +42,14 @@ impl Machine {
                 (Some(Value::List(items)), Value::List(column)) if row => {
                     row = false;
                     arithmetic::row_times_column(&items, &column).at(factor.span)?
+                }
+                // On a page a product of two points is the scalar product.
+                (Some(Value::List(one)), Value::List(other))
+                    if self.has_reading()
+                        && one.len() == other.len()
+                        && one.iter().chain(other.iter()).all(is_scalar) =>
+                {
+                    arithmetic::row_times_column(&one, &other).at(factor.span)?
                 }
                 (Some(product), value) => {
                     row = matches!((&product, &value), (Value::List(_), Value::Matrix(_)));

@@ -1,0 +1,416 @@
+//! Numbers for several new points, against what can be made of the numbers that the section gives.
+//!
+//! **Definition.** A *row* is a list of numbers or points, or members of one family with numbers in a row: b_0 = …, b_1 = ….
+//! What is *made* of a row is what the topics of its section let be made of it: its points at a higher degree, those of a part,
+//! of the derivative, of a segment of a uniform spline, of a refined polygon, those after a knot was inserted, the Greville
+//! abscissae of knots.
+//!
+//! **Rule.** A row that nothing else decides holds if it is made of an earlier one, where at least two of its coordinates do
+//! not stand there already. One of its items is wrong if all others are made so, nothing else fits, and all that comes so
+//! near gives the same point in its place.
+
+use crate::formula::{Expr, Kind, Rel, interval};
+use crate::judge::known::checker::Checker;
+use crate::judge::known::found::{Point, Row};
+use crate::judge::page::finding::{Evidence, Finding, Verdict};
+use crate::judge::page::statement::{Chain, Place, Role, Statement};
+use crate::judge::page::topic::{Topic, Topics};
+use crate::judge::values::evaluator;
+use crate::judge::written::names::{Head, bases};
+use crate::math::number::{Rational, integer, rational};
+use num_traits::{One, Zero};
+
+/// So many rows before a row are looked at.
+const MOST_ROWS: usize = 6;
+
+/// What is made of a row, with its words.
+struct Made {
+    points: Vec<Point>,
+    words: &'static str,
+}
+
+/// How a row compares with what is made of another.
+struct Comparison {
+    /// The coordinates that agree and that the other row does not have.
+    hits: usize,
+    /// The items that differ, each with what it should be.
+    wrong: Vec<(usize, Point)>,
+    words: &'static str,
+}
+
+impl Checker {
+    /// Remembers the numbers that a chain gives; its findings are those from a number on.
+    pub(in crate::judge) fn remember_row(&mut self, chain: &Chain, statement: &Statement, from: usize) {
+        let equal = |relation: &Rel| matches!(relation, Rel::Eq | Rel::Define | Rel::Approx);
+        let (Some(left), Some(right)) = (chain.sides.first(), chain.sides.last()) else { return };
+        if chain.relations.is_empty() || !chain.relations.iter().all(|(relation, _)| equal(relation)) {
+            return;
+        }
+        let finding = Some(from + chain.relations.len() - 1);
+        let index = |expr: &Expr| {
+            let head = Head::of(expr).filter(|head| head.arguments.is_none() && head.upper.is_empty())?;
+            Some((head.base.clone(), head.index()?.as_int()?))
+        };
+        // U = (0, 0, 0, 1, 1, 1)
+        if let (Kind::Name(_), Some(_)) = (&left.expr.kind, right.expr.items()) {
+            return self.remember_list(&right.expr, statement);
+        }
+        let row = match left.expr.items() {
+            None => match (index(&left.expr), point(&right.expr)) {
+                (Some((letter, first)), Some(point)) => Some((letter, first, vec![(point, finding)])),
+                _ => None,
+            },
+            Some(names) => {
+                let points = points(&right.expr).unwrap_or_default();
+                let dots = names.iter().any(|name| name.kind == Kind::Ellipsis);
+                match (names.first().and_then(index), names.last().and_then(index)) {
+                    (Some((letter, first)), Some((other, last)))
+                        if letter == other
+                            && (dots || names.len() == points.len())
+                            && last - first + 1 == points.len() as i64 =>
+                    {
+                        Some((letter, first, points.into_iter().map(|point| (point, finding)).collect()))
+                    }
+                    _ => None,
+                }
+            }
+        };
+        if let Some((letter, first, items)) = row {
+            let given = matches!(statement.role, Some(Role::Introduced | Role::Assumed | Role::Case));
+            self.add_row(Row {
+                letter,
+                first,
+                items,
+                place: statement.place.clone(),
+                topics: statement.topics,
+                given,
+            });
+        }
+    }
+
+    /// Remembers a list of numbers that stands alone.
+    pub(in crate::judge) fn remember_list(&mut self, expr: &Expr, statement: &Statement) {
+        if let Some(points) = points(expr).filter(|points| points.len() > 2) {
+            let items = points.into_iter().map(|point| (point, None)).collect();
+            let (place, topics) = (statement.place.clone(), statement.topics);
+            self.add_row(Row { letter: String::new(), first: 0, items, place, topics, given: true });
+        }
+    }
+
+    fn add_row(&mut self, row: Row) {
+        if let Some(last) = self.rows.last_mut()
+            && !row.letter.is_empty()
+            && last.letter == row.letter
+            && last.first + last.items.len() as i64 == row.first
+            && last.place.scope == row.place.scope
+            && last.place.blocks == row.place.blocks
+            && last.place.changes == row.place.changes
+            && row.place.group <= last.place.group + 1
+        {
+            last.items.extend(row.items);
+            last.given &= row.given;
+            last.place = row.place;
+            return;
+        }
+        self.rows.push(row);
+    }
+
+    /// Judges the rows of the page that nothing else decided. To be called after the last statement.
+    pub(in crate::judge) fn by_rows(&mut self) {
+        let open = |findings: &[Finding], number: usize| {
+            findings.get(number).is_some_and(|finding| finding.verdict == Verdict::Definition)
+        };
+        for at in 0..self.rows.len() {
+            let row = &self.rows[at];
+            let mut numbers = row.items.iter().filter_map(|(_, finding)| *finding);
+            if row.given || !numbers.any(|number| open(&self.findings, number)) {
+                continue;
+            }
+            for (number, finding) in self.compared(at).unwrap_or_default() {
+                if open(&self.findings, number) {
+                    self.findings[number] = finding;
+                }
+            }
+        }
+    }
+
+    /// The findings that a row gets.
+    fn compared(&self, at: usize) -> Option<Vec<(usize, Finding)>> {
+        let row = &self.rows[at];
+        let known = |other: &&Row| {
+            let place = &other.place;
+            other.letter != row.letter && row.place.knows(place, false) && !row.place.may_change(place)
+        };
+        let before: Vec<&Row> = self.rows[..at].iter().rev().filter(known).take(MOST_ROWS).collect();
+        let numbers = self.numbers_heard(&row.place);
+        let mut found: Vec<Comparison> = Vec::new();
+        for source in &before {
+            let others = before.iter().filter(|other| !std::ptr::eq(**other, *source));
+            let knots: Vec<Vec<Rational>> = others.filter_map(|other| other.numbers()).collect();
+            for made in source.made(row.topics, &numbers, &knots, row.items.len()) {
+                found.extend(row.against(&made, source));
+            }
+        }
+        let finding = |number: usize| self.findings.get(number).cloned();
+        if let Some(held) = found.iter().find(|own| own.wrong.is_empty() && own.hits > 1) {
+            let numbers = row.items.iter().filter_map(|(_, finding)| *finding);
+            let proved = |number| {
+                let reason = Some(format!("{}, as the words say", held.words));
+                Some((number, Finding { verdict: Verdict::Proved, reason, ..finding(number)? }))
+            };
+            return Some(numbers.filter_map(proved).collect());
+        }
+        let mut near = found.iter().filter(|own| own.wrong.len() == 1 && own.hits > 1);
+        let first = near.next()?;
+        if near.any(|other| other.wrong != first.wrong) {
+            return None;
+        }
+        let (item, meant) = &first.wrong[0];
+        let (own, number) = &row.items[*item];
+        let number = (*number)?;
+        let wrong = Finding {
+            verdict: Verdict::Refuted,
+            reason: Some(format!("it differs from {}", first.words)),
+            witness: Some(format!("left {}, right {}", written(meant), written(own))),
+            suggestion: None,
+            evidence: vec![Evidence::Terms],
+            ..finding(number)?
+        };
+        Some(vec![(number, wrong)])
+    }
+
+    /// The numbers of which the section speaks: 1/2, t = 1/2, both ends of [0, 2].
+    fn numbers_heard(&self, place: &Place) -> Vec<Rational> {
+        let mut found: Vec<Rational> = Vec::new();
+        let mut intervals: Vec<(Rational, Rational)> = Vec::new();
+        for expr in self.heard(place) {
+            let value = match &expr.kind {
+                Kind::Chain(left, links) if Head::of(left).is_some() => links.last().map(|link| &link.expr),
+                _ => Some(expr),
+            };
+            let ends = interval(expr).map(|([from, to], _)| [from.clone(), to.clone()]);
+            let single = value.filter(|value| value.items().is_none()).cloned();
+            if let Some([from, to]) = &ends
+                && let (Some(from), Some(to)) = (constant(from), constant(to))
+                && from < to
+            {
+                intervals.push((from, to));
+            }
+            for number in ends.into_iter().flatten().chain(single).filter_map(|value| constant(&value)) {
+                if !found.contains(&number) {
+                    found.push(number);
+                }
+            }
+        }
+        // t = 1 in [0, 2] is the middle.
+        let inside = intervals.iter().flat_map(|(from, to)| {
+            found.iter().filter(move |x| from < *x && *x < to).map(move |x| (x - from) / (to - from))
+        });
+        let more: Vec<Rational> = inside.filter(|share| !found.contains(share)).collect();
+        found.extend(more);
+        found
+    }
+}
+
+impl Row {
+    /// The numbers of a row that has no points with coordinates.
+    fn numbers(&self) -> Option<Vec<Rational>> {
+        self.items
+            .iter()
+            .map(|(point, _)| <[Rational; 1]>::try_from(point.clone()).ok())
+            .map(|one| Some(one?[0].clone()))
+            .collect()
+    }
+
+    /// How it compares with what is made of another row; nothing if it has other places or dimensions.
+    fn against(&self, made: &Made, source: &Row) -> Option<Comparison> {
+        let (mut hits, mut wrong) = (0, Vec::new());
+        for (at, (own, _)) in self.items.iter().enumerate() {
+            let place = usize::try_from(self.first + at as i64).ok()?;
+            let meant = made.points.get(place).filter(|meant| meant.len() == own.len())?;
+            let new = !source.items.iter().any(|(known, _)| known == meant);
+            if own == meant {
+                hits += if new { own.len() } else { 0 };
+            } else {
+                wrong.push((at, meant.clone()));
+            }
+        }
+        Some(Comparison { hits, wrong, words: made.words })
+    }
+
+    /// What the topics let be made of it, for a row with so many items.
+    fn made(&self, topics: Topics, numbers: &[Rational], knots: &[Vec<Rational>], count: usize) -> Vec<Made> {
+        let points: Vec<Point> = self.items.iter().map(|(point, _)| point.clone()).collect();
+        let mut found = Vec::new();
+        let mut add = |points: Vec<Point>, words| found.push(Made { points, words });
+        if self.first != 0 || points.len() < 2 || points.iter().any(|point| point.len() != points[0].len()) {
+            return found;
+        }
+        let bezier = !topics.has(Topic::Rational);
+        if topics.has(Topic::Elevation) && bezier {
+            let mut raised = points.clone();
+            for _ in points.len()..count.max(points.len() + 1).min(points.len() + 3) {
+                raised = elevated(&raised);
+            }
+            add(raised, "the control points at a higher degree");
+        }
+        if bezier
+            && [Topic::Subdivision, Topic::Half, Topic::Casteljau].into_iter().any(|topic| topics.has(topic))
+        {
+            let whole = |t: &Rational| !t.is_zero() && !t.is_one();
+            let half = topics.has(Topic::Half).then(|| rational(1, 2));
+            for t in numbers.iter().filter(|t| whole(t)).cloned().chain(half) {
+                let (left, right) = halves(&points, &t);
+                add(left, "the Bézier points of this part of the curve");
+                add(right, "the Bézier points of this part of the curve");
+            }
+        }
+        if topics.has(Topic::Derivative) && bezier && !topics.has(Topic::Spline) {
+            let degree = integer(points.len() as i64 - 1);
+            let legs = points
+                .windows(2)
+                .map(|pair| combined(&[(-degree.clone(), &pair[0]), (degree.clone(), &pair[1])]));
+            add(legs.collect(), "the control points of the derivative");
+        }
+        if topics.has(Topic::Spline) && knots.is_empty() {
+            let third =
+                |a: i64, p: &Point, b: i64, q: &Point| combined(&[(rational(a, 3), p), (rational(b, 3), q)]);
+            let half = |p: &Point, q: &Point| combined(&[(rational(1, 2), p), (rational(1, 2), q)]);
+            let degrees: Vec<i64> = topics.degrees().collect();
+            if degrees.contains(&3) && points.len() > 3 {
+                let legs: Vec<[Point; 2]> = points
+                    .windows(2)
+                    .map(|leg| [third(2, &leg[0], 1, &leg[1]), third(1, &leg[0], 2, &leg[1])])
+                    .collect();
+                let mut all = vec![half(&legs[0][1], &legs[1][0])];
+                for pair in legs[1..].windows(2) {
+                    all.extend([pair[0][0].clone(), pair[0][1].clone(), half(&pair[0][1], &pair[1][0])]);
+                }
+                add(all, "the Bézier points of a uniform cubic segment");
+            }
+            if degrees.contains(&2) && points.len() > 2 {
+                let mut all = vec![half(&points[0], &points[1])];
+                for pair in points[1..].windows(2) {
+                    all.extend([pair[0].clone(), half(&pair[0], &pair[1])]);
+                }
+                add(all, "the Bézier points of a uniform quadratic segment");
+            }
+        }
+        if topics.has(Topic::Scheme) || topics.has(Topic::Subdivision) {
+            let cut = points.windows(2).flat_map(|leg| {
+                [(3, 1), (1, 3)]
+                    .map(|(a, b)| combined(&[(rational(a, 4), &leg[0]), (rational(b, 4), &leg[1])]))
+            });
+            add(cut.collect(), "Chaikin's scheme");
+        }
+        for row in knots.iter().filter(|row| row.windows(2).all(|pair| pair[0] <= pair[1])) {
+            let Some(degree) =
+                row.len().checked_sub(points.len() + 1).filter(|degree| (1..6).contains(degree))
+            else {
+                continue;
+            };
+            if topics.has(Topic::Insertion) {
+                let inside = |x: &&Rational| row[degree] < **x && **x < row[points.len()] && !row.contains(x);
+                for x in numbers.iter().filter(inside) {
+                    add(
+                        inserted(&points, row, degree, x),
+                        "the control points after the insertion of a knot",
+                    );
+                }
+            }
+            if topics.has(Topic::Derivative) {
+                let leg = |i: usize| {
+                    let width = &row[i + degree + 1] - &row[i + 1];
+                    let factor = if width.is_zero() { width } else { integer(degree as i64) / width };
+                    combined(&[(-factor.clone(), &points[i]), (factor, &points[i + 1])])
+                };
+                add((0..points.len() - 1).map(leg).collect(), "the control points of the derivative");
+            }
+        }
+        if topics.has(Topic::Greville)
+            && let Some(own) = self.numbers().filter(|own| own.windows(2).all(|pair| pair[0] <= pair[1]))
+        {
+            for degree in topics.degrees().filter_map(|degree| usize::try_from(degree).ok()) {
+                if degree > 0 && own.len() > degree + 1 {
+                    let mean =
+                        |window: &[Rational]| vec![window.iter().sum::<Rational>() / integer(degree as i64)];
+                    add(own[1..own.len() - 1].windows(degree).map(mean).collect(), "the Greville abscissa");
+                }
+            }
+        }
+        found
+    }
+}
+
+/// A sum of multiples of points.
+fn combined(terms: &[(Rational, &Point)]) -> Point {
+    let dimension = terms.first().map_or(0, |(_, point)| point.len());
+    (0..dimension).map(|k| terms.iter().map(|(factor, point)| factor * &point[k]).sum()).collect()
+}
+
+fn elevated(points: &[Point]) -> Vec<Point> {
+    let degree = points.len() as i64;
+    let point = |i: usize| {
+        let share = rational(i as i64, degree);
+        let before = &points[i.saturating_sub(1)];
+        let own = &points[i.min(points.len() - 1)];
+        combined(&[(share.clone(), before), (Rational::one() - share, own)])
+    };
+    (0..=points.len()).map(point).collect()
+}
+
+/// The control points of both parts by de Casteljau's algorithm.
+fn halves(points: &[Point], t: &Rational) -> (Vec<Point>, Vec<Point>) {
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    let mut level = points.to_vec();
+    while let (Some(first), Some(last)) = (level.first(), level.last()) {
+        left.push(first.clone());
+        right.push(last.clone());
+        level = level
+            .windows(2)
+            .map(|pair| combined(&[(Rational::one() - t, &pair[0]), (t.clone(), &pair[1])]))
+            .collect();
+    }
+    right.reverse();
+    (left, right)
+}
+
+/// Boehm's algorithm for a knot inside of the domain.
+fn inserted(points: &[Point], knots: &[Rational], degree: usize, x: &Rational) -> Vec<Point> {
+    let point = |i: usize| {
+        let (from, own) = (&knots[i.min(points.len() - 1 + degree)], points.get(i));
+        let to = knots.get(i + degree).unwrap_or(from);
+        let ratio = if from < to { (x - from) / (to - from) } else { integer(i64::from(to <= x)) };
+        let ratio = ratio.clamp(Rational::zero(), Rational::one());
+        let before = &points[i.saturating_sub(1)];
+        match own {
+            Some(own) => combined(&[(Rational::one() - &ratio, before), (ratio, own)]),
+            None => before.clone(),
+        }
+    };
+    (0..=points.len()).map(point).collect()
+}
+
+fn constant(expr: &Expr) -> Option<Rational> {
+    if bases(expr).is_empty() { evaluator::number(expr) } else { None }
+}
+
+/// A number, or a point by numbers.
+fn point(expr: &Expr) -> Option<Point> {
+    match expr.items() {
+        Some(items) => items.iter().map(constant).collect(),
+        None => constant(expr).map(|number| vec![number]),
+    }
+}
+
+/// The numbers or points of a list.
+fn points(expr: &Expr) -> Option<Vec<Point>> {
+    expr.items()?.iter().map(point).collect()
+}
+
+fn written(point: &Point) -> String {
+    match point.as_slice() {
+        [number] => number.to_string(),
+        all => format!("({})", all.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    }
+}
