@@ -134,7 +134,7 @@ pub(super) fn run(
             }
             checker.statement(statement);
         }
-        checker.finish();
+        checker.conclude();
         return report(document, checker.findings, &checker.problems);
     };
     let edit = Edit::between(&memory.text, document.file.text());
@@ -186,7 +186,7 @@ pub(super) fn run(
         // The verdicts from before, as far as they are of use to the next check.
         findings = kept(&findings, edit).collect();
     } else {
-        checker.finish();
+        checker.conclude();
         findings = checker.findings;
     }
     memory.statements = statements;

@@ -44,6 +44,12 @@ impl Checker {
         }
     }
 
+    /// Judges by all that was said. To be called after the last statement.
+    pub fn conclude(&mut self) {
+        self.finish();
+        self.by_rows();
+    }
+
     fn take_in(&mut self, statement: &Statement) {
         if let Some(chain) = self.sum_of_known(statement) {
             return self.take_in(&Statement { said: Said::Chain(chain), ..statement.clone() });

@@ -6,7 +6,7 @@
 //! abscissae of knots.
 //!
 //! **Rule.** A row that nothing else decides holds if it is made of an earlier one, where at least two of its coordinates do
-//! not stand there already. One of its items is wrong if all others are made so, nothing else fits, and all that comes so
+//! not stand beside their place there already. One of its items is wrong if all others are made so, nothing else fits, and all that comes so
 //! near gives the same point in its place.
 
 use crate::formula::{Expr, Kind, Rel, interval};
@@ -35,7 +35,16 @@ struct Comparison {
     hits: usize,
     /// The items that differ, each with what it should be.
     wrong: Vec<(usize, Point)>,
+    /// Whether it has more items than the other row, four at least.
+    grown: bool,
     words: &'static str,
+}
+
+impl Comparison {
+    /// Whether so much agrees that it is no chance; the points that an algorithm only moves on count as one.
+    fn is_telling(&self) -> bool {
+        self.hits + usize::from(self.grown) > 1 && self.hits > 0
+    }
 }
 
 impl Checker {
@@ -141,7 +150,9 @@ impl Checker {
             let place = &other.place;
             other.letter != row.letter && row.place.knows(place, false) && !row.place.may_change(place)
         };
-        let before: Vec<&Row> = self.rows[..at].iter().rev().filter(known).take(MOST_ROWS).collect();
+        let told = self.rows_told(row);
+        let before: Vec<&Row> =
+            self.rows[..at].iter().rev().filter(known).take(MOST_ROWS).chain(&told).collect();
         let numbers = self.numbers_heard(&row.place);
         let mut found: Vec<Comparison> = Vec::new();
         for source in &before {
@@ -160,7 +171,7 @@ impl Checker {
             };
             return Some(numbers.filter_map(proved).collect());
         }
-        let mut near = found.iter().filter(|own| own.wrong.len() == 1 && own.hits > 1);
+        let mut near = found.iter().filter(|own| own.wrong.len() == 1 && own.is_telling());
         let first = near.next()?;
         if near.any(|other| other.wrong != first.wrong) {
             return None;
@@ -177,6 +188,30 @@ impl Checker {
             ..finding(number)?
         };
         Some(vec![(number, wrong)])
+    }
+
+    /// The lists of numbers of which the words of a section tell, such as knots.
+    fn rows_told(&self, row: &Row) -> Vec<Row> {
+        let told =
+            self.context.objects.iter().rev().filter(|told| row.place.knows(&told.place, told.object.local));
+        let lists = told.flat_map(|told| {
+            let single = |list: &[Expr]| list.iter().map(point).collect::<Option<Vec<Point>>>();
+            let own = [&told.object.knots, &told.object.points, &told.object.values];
+            let list = |own: &Vec<Expr>| match own.as_slice() {
+                [one] => points(one),
+                all => single(all),
+            };
+            own.into_iter().filter_map(list).filter(|points| points.len() > 2).collect::<Vec<_>>()
+        });
+        let rows = lists.take(MOST_ROWS).map(|points| Row {
+            letter: String::new(),
+            first: 0,
+            items: points.into_iter().map(|point| (point, None)).collect(),
+            place: row.place.clone(),
+            topics: row.topics,
+            given: true,
+        });
+        rows.collect()
     }
 
     /// The numbers of which the section speaks: 1/2, t = 1/2, both ends of [0, 2].
@@ -228,14 +263,17 @@ impl Row {
         for (at, (own, _)) in self.items.iter().enumerate() {
             let place = usize::try_from(self.first + at as i64).ok()?;
             let meant = made.points.get(place).filter(|meant| meant.len() == own.len())?;
-            let new = !source.items.iter().any(|(known, _)| known == meant);
+            // An end that stays where it was says nothing.
+            let beside = source.items.iter().skip(place.saturating_sub(1)).take(2 + usize::from(place > 0));
+            let new = !beside.into_iter().any(|(known, _)| known == meant);
             if own == meant {
                 hits += if new { own.len() } else { 0 };
             } else {
                 wrong.push((at, meant.clone()));
             }
         }
-        Some(Comparison { hits, wrong, words: made.words })
+        let grown = self.items.len() > source.items.len().max(3);
+        Some(Comparison { hits, wrong, grown, words: made.words })
     }
 
     /// What the topics let be made of it, for a row with so many items.

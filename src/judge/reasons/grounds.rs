@@ -81,7 +81,7 @@ impl Checker {
 
     /// Takes back what was refuted on doubtful grounds, and refutes what fails alone among what holds. To be called
     /// after the last statement.
-    pub fn finish(&mut self) {
+    pub(in crate::judge) fn finish(&mut self) {
         let mut record: BTreeMap<&Ground, Outcomes> = BTreeMap::new();
         for one in &self.uses {
             one.grounds.iter().for_each(|ground| record.entry(ground).or_default().add(one.outcome));
@@ -128,6 +128,5 @@ impl Checker {
                 ..finding.clone()
             };
         }
-        self.by_rows();
     }
 }
