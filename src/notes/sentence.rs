@@ -460,7 +460,8 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
             at += 1;
             continue;
         }
-        let end = (at..statements.len()).find(|&i| !statements[i].is_case()).unwrap_or(statements.len());
+        let last = |i: usize| !statements[i].is_case() || i > at && !forward && turns(statements, i);
+        let end = (at..statements.len()).find(|&i| last(i)).unwrap_or(statements.len());
         let conditions = conditions(&statements[at..end], is_alternative);
         let after: Vec<usize> = (end..statements.len())
             .take_while(|&i| !statements[i].is_case())
@@ -482,6 +483,7 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
             let joined = words.starts_with(|c: char| !c.is_alphanumeric()) || speech::joins(words);
             next.role == Some(Role::Claimed) && !joined && words.split_whitespace().count() < 3
         });
+        let leads = leads || turns(statements, at);
         let mut targets = match (forward || leads, after.is_empty(), before.is_empty()) {
             (true, false, _) | (false, false, true) => after,
             _ => before,
@@ -517,6 +519,19 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         }
         at = end;
     }
+}
+
+/// "a_i = b_i for i < r, and for i ≥ r, a_i = c_i": whether a case of a list leads to the formula right after it.
+fn turns(statements: &[Statement], at: usize) -> bool {
+    let case = |gap: &str| {
+        let around = speech::Around { left: gap.to_owned(), ..speech::Around::default() };
+        let own = matches!(speech::role(&around, false), Some(Role::Case | Role::All));
+        own && speech::joins(gap) && gap.trim_start().starts_with([',', '，', ';'])
+    };
+    let next = statements.get(at + 1).is_some_and(|next| {
+        matches!(next.said, Said::Chain(_)) && !next.is_case() && !next.gap.chars().any(char::is_alphanumeric)
+    });
+    next && statements[at].is_case() && case(&statements[at].gap)
 }
 
 /// The variable of t = 1/4, if a run of cases is one such place.

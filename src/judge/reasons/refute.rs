@@ -23,7 +23,7 @@ use crate::language::lexicon::families;
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::value::Value;
 use crate::language::write;
-use crate::math::poly::{Index, Symbol};
+use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 /// What a failing relation is taken for.
@@ -340,6 +340,19 @@ pub fn decide(
         }
     }
     let (sl, sr) = (visible(&failure.left), visible(&failure.right));
+    // b_5 = 4 b_1 - …, where nothing determines b_5
+    let itself = match &failure.left {
+        Value::Scalar(own) => match own.variables().as_slice() {
+            [only] if !only.is_plain() && !sr.contains(only) => {
+                *own == Fraction::from(MultiPoly::symbol(only.clone()))
+            }
+            _ => false,
+        },
+        _ => false,
+    };
+    if first && itself && tally.determined == 0 && Head::of(left).is_some() {
+        return missing_or_redefinition(head, first, "nothing says what this point is");
+    }
     // f(t, t, 0) = t^2 - 4t said what c_0, c_1, c_2 are, and not what c_3 is.
     let in_part = tally
         .record
