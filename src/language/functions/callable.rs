@@ -331,9 +331,18 @@ impl Callable for Builtin {
         }
     }
 
-    fn takes_coordinates(&self) -> bool {
-        let first = self.parameters.iter().find(|parameter| parameter.has_place());
-        first.is_none_or(|first| !matches!(first.kind, Takes::Any | Takes::Mapping | Takes::OneOf(_)))
+    fn takes_coordinates(&self, place: usize) -> bool {
+        if !self.subjects.is_empty() {
+            return place > 0;
+        }
+        let parameter = self.parameters.iter().filter(|parameter| parameter.has_place()).nth(place);
+        match parameter.map(|parameter| parameter.kind) {
+            None => place == 0,
+            Some(kind) => {
+                kind.is_of_curves()
+                    || place == 0 && !matches!(kind, Takes::Any | Takes::Mapping | Takes::OneOf(_))
+            }
+        }
     }
 
     fn takes_name(&self, name: &str) -> bool {

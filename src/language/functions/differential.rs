@@ -8,13 +8,13 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error};
-use crate::language::ops::formula::{is_parameter, variable_of};
+use crate::language::ops::formula::curve_of;
 use crate::language::ops::geometry::as_rational_spline;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
 use crate::math::curve::{self, CurveError, Vector};
 use crate::math::number::exact_root;
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::Fraction;
 use crate::math::spline::RationalSpline;
 use num_traits::{Signed, Zero};
 
@@ -87,20 +87,19 @@ pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<
             let s = RationalSpline::from_homogeneous(as_rational_spline(&s, form));
             (s.and_then(|s| s.derivatives(&t, order)).map_err(spline_error).at(args.span(1))?, form)
         }
-        Value::List(items) => match coordinates(items) {
-            Some(coordinates) => {
+        value => match curve_of(value).at(args.span(0))? {
+            Some((variable, formulas)) => {
                 let at = |k: usize| -> Result<Vector<Fraction>> {
-                    let value = |(variable, formula): &(Symbol, Fraction)| {
-                        nth_derivative(formula, variable, k).substitute(&[(variable.clone(), t.clone())])
+                    let value = |formula: &Fraction| {
+                        nth_derivative(formula, &variable, k).substitute(&[(variable.clone(), t.clone())])
                     };
-                    let list = coordinates.iter().map(value).collect::<std::result::Result<Vec<_>, _>>();
+                    let list = formulas.iter().map(value).collect::<std::result::Result<Vec<_>, _>>();
                     Ok(list.map_err(|_| division_by_zero()).at(args.span(1))?.into())
                 };
                 ((0..=order).map(at).collect::<Result<_>>()?, Form::default())
             }
             None => of_bezier(args, &t, order)?,
         },
-        _ => of_bezier(args, &t, order)?,
     };
     Ok((list, Form { rational: false, ..form }))
 }
@@ -108,22 +107,6 @@ pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<
 fn of_bezier(args: &Arguments, t: &Fraction, order: usize) -> Result<(Vec<Vector<Fraction>>, Form)> {
     let list = rational_curve(args, 0)?.derivatives(t, order).map_err(curve_error).at(args.span(1))?;
     Ok((list, args.bezier(0)?.1))
-}
-
-/// The coordinates of a curve that is given by formulas, each with its variable. Numbers alone are
-/// control points.
-pub(super) fn coordinates(items: &[Value]) -> Option<Vec<(Symbol, Fraction)>> {
-    let of_function = |item: &Value| match item {
-        Value::Function(function) => function.as_formula().map(|(t, formula)| (t.clone(), formula.clone())),
-        _ => None,
-    };
-    if let Some(functions) = items.iter().map(of_function).collect() {
-        return Some(functions);
-    }
-    let formulas: Vec<&Fraction> = items.iter().map(Value::as_scalar).collect::<Option<_>>()?;
-    let first = formulas.iter().find(|formula| formula.variables().iter().any(is_parameter))?;
-    let variable = variable_of(first, None).ok()?;
-    Some(formulas.into_iter().map(|formula| (variable.clone(), formula.clone())).collect())
 }
 
 /// The square of the curvature, and in the plane det(c', c''), which has its sign.

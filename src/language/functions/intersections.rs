@@ -3,15 +3,17 @@
 use super::gives::Gives;
 use std::sync::Arc;
 
+use super::by_pieces::{self, pieces_of};
 use super::Builtin;
 use super::parameter::{Parameter, named, optional, required};
 use super::rational::homogeneous_coordinates;
 use super::sections::{is_surface, letters_of_space, only_space, parametric_surface};
 use super::solve::system_error;
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::geometry::bezier;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Table, Value};
 use crate::math::curve::{self, MovingLine, PlaneCurve, SpaceCurve};
@@ -26,7 +28,7 @@ const NEW: Builtin = Builtin::about("Intersections");
 /// Points are left out for parameters of higher degree, unless they are asked for.
 const DEGREE_WITH_POINTS: usize = 12;
 
-const PLANE_CURVE: Parameter = required(
+pub(super) const PLANE_CURVE: Parameter = required(
     "curve",
     Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
     "a Bézier curve of the plane, or its coordinates as formulas",
@@ -62,6 +64,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Any,
         example: "intersections([t, t^2], x^2 + y^2 - 2)",
         call: intersections,
+        by_pieces: Some(by_pieces::rows),
         ..NEW
     },
     Builtin {
@@ -147,6 +150,22 @@ fn plane_curve(args: &Arguments, i: usize) -> Result<PlaneCurve> {
     let (coordinates, range) = numbers(args, i)?;
     PlaneCurve::new(coordinates, range)
         .ok_or_else(|| Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(i)))
+}
+
+/// The same of each piece of a spline, one after the other, and whether it is one.
+pub(super) fn plane_pieces(args: &Arguments, i: usize) -> Result<(Vec<PlaneCurve>, bool)> {
+    match pieces_of(args.value(i)?) {
+        None => Ok((vec![plane_curve(args, i)?], false)),
+        Some(pieces) => {
+            let (curves, form) = pieces.at(args.span(i))?;
+            let piece = |curve| {
+                let mut own = args.clone();
+                own.put(i, bezier(curve, form), args.span(i));
+                plane_curve(&own, i)
+            };
+            Ok((curves.into_iter().map(piece).collect::<Result<_>>()?, true))
+        }
+    }
 }
 
 fn single_point(args: &Arguments) -> Diagnostic {

@@ -1,7 +1,8 @@
 //! Lengths, areas and centroids; inflections; curves with Pythagorean hodographs; curvatures of surfaces.
 
-use super::Builtin;
+use super::{Builtin, by_pieces};
 use super::geometric::numeric;
+use super::intersections::{PLANE_CURVE, plane_pieces};
 use super::gives::Gives;
 use super::on_surface::partial_derivatives;
 use super::parameter::{CURVE, Parameter, SURFACE, named, optional, required};
@@ -12,7 +13,7 @@ use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, points_of};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, in_letter};
-use crate::math::curve::{self, BezierCurve, Interval, Point};
+use crate::math::curve::{self, AreaError, BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -83,6 +84,7 @@ pub(super) const TABLE: &[Builtin] = &[
             machine.note(Diagnostic::note(Code::Irrational, note).at(args.span(0)));
             Ok(Value::list(vec![Value::number(lower), Value::number(upper)]))
         },
+        by_pieces: Some(by_pieces::sum),
         ..NEW
     },
     Builtin {
@@ -118,15 +120,16 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "inflections",
-        parameters: &[CURVE],
+        parameters: &[PLANE_CURVE],
         summary: "the parameters at which the curvature of a plane curve changes its sign, exactly",
         gives: Gives::Scalars,
         example: "inflections(bezier([[0, 0], [1, 2], [2, -2], [3, 0]]))",
         call: |_, args| {
-            let found = curve::inflections(&numbers(args)?).map_err(curve_error).at(args.span(0))?;
+            let (pieces, _) = plane_pieces(args, 0)?;
             let letter = Symbol::new("t");
-            let list = found.ok_or_else(|| {
-                let error = Diagnostic::error(Code::Degenerate, "the curve is straight").at(args.span(0));
+            let list = curve::inflections(&pieces).map_err(|curve::Straight(i)| {
+                let which = if pieces.len() == 1 { "the curve".to_owned() } else { format!("piece {i}") };
+                let error = Diagnostic::error(Code::Degenerate, format!("{which} is straight")).at(args.span(0));
                 error.hint("its curvature is 0 everywhere")
             })?;
             Ok(Value::List(list.into_iter().map(|t| Value::root(t, &letter)).collect()))
@@ -227,21 +230,34 @@ fn moments(args: &Arguments) -> Result<[Fraction; 3]> {
     };
     let mut list = Vec::new();
     for item in curves {
-        let (pieces, form) = match &item {
-            Value::Geometry(geometry) => match &**geometry {
-                Geometry::Spline(s, form) => (s.bezier_pieces(), *form),
-                _ => {
-                    let (curve, form) = args.with_first(item.clone()).bezier(0).at(args.span(0))?;
-                    (vec![curve], form)
-                }
-            },
-            _ => return Err(wrong_kind("a curve", &item).at(args.span(0))),
-        };
-        for piece in pieces {
-            list.push(numbers(&args.with_first(bezier(piece, form)))?);
-        }
+        list.extend(plane_pieces(&args.with_first(item), 0)?.0);
     }
-    curve::green(&list).map(|sums| sums.map(Fraction::from)).map_err(curve_error).at(args.span(0))
+    let sums = curve::green(&list).map_err(|error| no_area(error, list.len(), args))?;
+    Ok(sums.map(Fraction::from))
+}
+
+/// Why a closed curve has no rational area.
+fn no_area(error: AreaError, count: usize, args: &Arguments) -> Diagnostic {
+    let which = |i: usize| if count == 1 { "the curve".to_owned() } else { format!("curve {}", i + 1) };
+    let told = |code: Code, message: String| Diagnostic::error(code, message).at(args.span(0));
+    match error {
+        AreaError::Endless(i) => told(Code::Domain, format!("{} has no ends", which(i)))
+            .hint("give it an interval: over([t, t^2], 0, 1), or control points"),
+        AreaError::Apart(i) if count == 1 => {
+            told(Code::Shape, format!("{} is not closed: it does not end where it starts", which(i)))
+                .hint("close it: area([c, bezier([q, p])]) with the segment from its end q to its start p")
+        }
+        AreaError::Apart(i) => {
+            let before = (i + count - 1) % count;
+            told(Code::Shape, format!("{} does not start where {} ends", which(i), which(before)))
+                .hint("give the curves in the order in which they are run through, and closed")
+        }
+        AreaError::Infinite(i) => told(Code::ZeroWeight, format!("{} goes through infinity", which(i)))
+            .hint("give a part of it with positive weights"),
+        AreaError::NotRational(i) => told(Code::Irrational, format!("the area below {} is no rational number", which(i)))
+            .reason("the antiderivative of (X Y' - Y X')/W^2 has logarithms or arcus tangents, as for circles")
+            .hint("area takes polynomial curves, and rational ones whose integral is rational"),
+    }
 }
 
 fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {

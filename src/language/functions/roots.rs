@@ -1,6 +1,6 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
-use super::Builtin;
+use super::{Builtin, by_pieces};
 use super::gives::Gives;
 use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use super::told::{LANG, told};
@@ -56,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::List,
         example: "roots((t - 1)^2 (t^2 - 2))",
         call: roots,
+        by_pieces: Some(by_pieces::roots),
         ..NEW
     },
     Builtin {
@@ -116,6 +117,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalar,
         example: "maximum(3t(1 - t)^2, 0, 1)",
         call: |machine, args| extreme(machine, args, true),
+        by_pieces: Some(by_pieces::largest),
         ..NEW
     },
     Builtin {
@@ -125,6 +127,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalar,
         example: "minimum(t^3 - t, 0, 1)",
         call: |machine, args| extreme(machine, args, false),
+        by_pieces: Some(by_pieces::smallest),
         ..NEW
     },
     Builtin {

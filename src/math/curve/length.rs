@@ -1,10 +1,8 @@
-//! Lengths and areas: Pythagorean hodographs, bounds of arc lengths, area and centroid by Green's formula.
+//! Lengths, and areas of polygons: Pythagorean hodographs, bounds of arc lengths.
 //!
 //! |c'|² is a polynomial. If it is σ² the curve has a Pythagorean hodograph and the length is ∫ |σ|; in the plane that is so for
 //! c' = w (u² − v², 2 u v). Otherwise the length lies between that of the chord and that of the control polygon, of each part of the
 //! curve; their difference falls to a quarter with each halving.
-//!
-//! The area that a closed curve encloses is ½ ∮ (x dy − y dx), its moments are ½ ∮ x² dy and −½ ∮ y² dx.
 //!
 //! R. T. Farouki, T. Sakkalis, "Pythagorean hodographs", IBM J. Res. Dev. 34 (1990); J. Gravesen, "Adaptive subdivision and the
 //! length and energy of Bézier curves", Comput. Geom. 8 (1997).
@@ -135,62 +133,6 @@ pub fn pythagorean_curve(u: &Poly, v: &Poly, start: &[Rational; 2]) -> [Poly; 2]
     [x + Poly::constant(start[0].clone()), y + Poly::constant(start[1].clone())]
 }
 
-/// The parameters strictly inside of the interval at which the curvature of a plane curve changes its sign: the roots of odd
-/// multiplicity of det(c', c''). `None` if that is 0 everywhere: the curve is straight.
-///
-/// # Errors
-/// [`CurveError::DimensionsOf`] unless the curve is in the plane.
-pub fn inflections(curve: &BezierCurve<Rational>) -> Result<Option<Vec<RealRoot>>, CurveError> {
-    let list = coordinates(curve);
-    let [x, y] = list.as_slice() else {
-        return Err(CurveError::DimensionsOf { left: curve.dimension(), right: 2 });
-    };
-    let turn = x.derivative() * y.nth_derivative(2) - y.derivative() * x.nth_derivative(2);
-    let (a, b) = curve.interval().ends();
-    let (a, b) = (a.min(b), a.max(b));
-    let ends = [a, b].map(|t| RealRoot::Rational(t.clone()));
-    let inside = |roots: Vec<(RealRoot, usize)>| {
-        roots.into_iter().filter(|(t, m)| m % 2 == 1 && !ends.contains(t)).map(|(t, _)| t).collect()
-    };
-    Ok(turn.real_roots(Some(a), Some(b)).map(inside))
-}
-
-/// ½ ∮ (x dy − y dx), ½ ∮ x² dy and −½ ∮ y² dx along closed curves, one after the other.
-///
-/// # Errors
-/// [`CurveError::DimensionsOf`] unless all are in the plane, [`CurveError::NoCommonEnd`] unless each one starts where the one before
-/// ends, and the first one where the last one ends.
-///
-/// ```
-/// use polarform::curve::{BezierCurve, Interval, green};
-/// use polarform::number::{integer as z, rational as q};
-/// let c = |points: &[[i64; 2]]| BezierCurve::new(points.iter().map(|p| p.map(z).to_vec()).collect(), Interval::unit());
-/// // Under the arch of a parabola: 2/3 of the triangle of its tangents.
-/// let [area, x, _] = green(&[c(&[[0, 0], [2, 0]])?, c(&[[2, 0], [1, 2], [0, 0]])?])?;
-/// assert_eq!((area.clone(), x / area), (q(4, 3), z(1)));
-/// # Ok::<(), polarform::curve::CurveError>(())
-/// ```
-pub fn green(curves: &[BezierCurve<Rational>]) -> Result<[Rational; 3], CurveError> {
-    let mut sums = [Rational::zero(), Rational::zero(), Rational::zero()];
-    let ends =
-        |curve: &BezierCurve<Rational>| (curve.points()[0].clone(), curve.points()[curve.degree()].clone());
-    for (i, curve) in curves.iter().enumerate() {
-        let list = coordinates(curve);
-        let [x, y] = list.as_slice() else {
-            return Err(CurveError::DimensionsOf { left: curve.dimension(), right: 2 });
-        };
-        if ends(curve).1 != ends(&curves[(i + 1) % curves.len()]).0 {
-            return Err(CurveError::NoCommonEnd);
-        }
-        let interval = curve.interval();
-        let (dx, dy) = (x.derivative(), y.derivative());
-        sums[0] += (x * &dy - y * &dx).integral(interval) * rational(1, 2);
-        sums[1] += (x.pow(2) * dy).integral(interval) * rational(1, 2);
-        sums[2] -= (y.pow(2) * dx).integral(interval) * rational(1, 2);
-    }
-    Ok(sums)
-}
-
 /// The area of a polygon of the plane and its moments: Σ a_i, Σ a_i (x_i + x_{i+1})/3 and Σ a_i (y_i + y_{i+1})/3 with
 /// a_i = ½ det(p_i, p_{i+1}). Cost: linear.
 ///
@@ -292,24 +234,6 @@ mod tests {
             prop_assert_eq!(&found, &expected);
             let corners: Vec<Point<Rational>> = (0..points.len()).map(|i| at(i).into()).collect();
             prop_assert_eq!(polygon_moments(&corners), expected);
-        }
-
-        /// At an inflection det(c', c'') changes its sign.
-        #[test]
-        fn inflections_change_the_sign(x in poly(5), y in poly(5)) {
-            let c = curve(&[x.clone(), y.clone()], 4);
-            let turn = x.derivative() * y.nth_derivative(2) - y.derivative() * x.nth_derivative(2);
-            let Some(found) = inflections(&c).unwrap() else {
-                prop_assert!(turn.is_zero());
-                return Ok(());
-            };
-            let signs: Vec<bool> = (0..=200)
-                .map(|k| turn.value(&rational(k, 200)))
-                .filter(|v| !v.is_zero())
-                .map(|v| v.is_negative())
-                .collect();
-            let changes = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-            prop_assert!(changes <= found.len() && (found.len() - changes) % 2 == 0);
         }
     }
 }

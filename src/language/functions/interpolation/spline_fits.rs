@@ -7,7 +7,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
-use crate::language::functions::differential::coordinates;
+
 use crate::language::functions::gives::Gives;
 use crate::language::functions::parameter::{
     DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, VALUES, named, required, size,
@@ -16,6 +16,7 @@ use crate::language::functions::record::Variant;
 use crate::language::functions::splines::knots_at;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
+use crate::language::ops::formula::curve_of;
 use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, polynomial_expr};
@@ -232,7 +233,9 @@ fn functions(args: &Arguments) -> Result<(Vec<(Symbol, Fraction)>, Form)> {
         let list: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
         list.map(|list| list.into_iter().map(|formula| (Symbol::new("t"), formula)).collect())
     };
-    let found = coordinates(items).or_else(constants);
+    let list = Value::list(items.to_vec());
+    let with = |(t, formulas): (Symbol, Vec<Fraction>)| formulas.into_iter().map(|f| (t.clone(), f)).collect();
+    let found = curve_of(&list).at(args.span(0))?.map(with).or_else(constants);
     let found = found.ok_or_else(|| wrong_kind("a function or a list of them", value).at(args.span(0)))?;
     Ok((found, Form { scalar, rational: false }))
 }
