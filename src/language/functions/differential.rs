@@ -2,7 +2,7 @@
 
 use super::Builtin;
 use super::gives::Gives;
-use super::parameter::{CURVE, Parameter, required};
+use super::parameter::{LINE, Parameter, required};
 use super::rational::rational_curve;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
@@ -13,8 +13,8 @@ use crate::language::ops::geometry::as_rational_spline;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
 use crate::math::curve::{self, CurveError, Vector};
-use crate::math::number::exact_root;
-use crate::math::poly::Fraction;
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Poly, Symbol};
 use crate::math::spline::RationalSpline;
 use num_traits::{Signed, Zero};
 
@@ -27,8 +27,8 @@ pub(super) const PARAMETER: Parameter = required("t", Takes::Scalar, "the parame
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "curvature",
-        parameters: &[CURVE, PARAMETER],
-        summary: "|c' x c''|/|c'|^3 where that is rational; in the plane positive in a left turn",
+        parameters: &[LINE, PARAMETER],
+        summary: "|c' x c''|/|c'|^3; in the plane positive in a left turn",
         gives: Gives::Scalar,
         example: "curvature([t, t^2], 0)",
         call: |_, args| {
@@ -36,25 +36,29 @@ pub(super) const TABLE: &[Builtin] = &[
             if squared.is_zero() {
                 return Ok(Value::Scalar(squared));
             }
-            let root = squared.as_rational().and_then(|q| exact_root(&q, 2)).ok_or_else(|| {
+            let Some(number) = squared.as_rational() else {
                 let square = crate::language::write::text(&polynomial_expr(&squared));
-                Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
+                return Err(Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
                     .at(args.span(1))
-                    .hint("squared_curvature(c, t) is rational everywhere")
-            })?;
-            let Some(turn) = turn else { return Ok(Value::number(root)) };
-            let turn = turn.as_rational().ok_or_else(|| {
-                Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
-                    .at(args.span(1))
-                    .hint("squared_curvature(c, t) has none")
-            })?;
-            Ok(Value::number(if turn.is_negative() { -root } else { root }))
+                    .hint("squared_curvature(c, t) is rational everywhere"));
+            };
+            // In space there is no sign.
+            let turns_right = match turn.map(|turn| turn.as_rational()) {
+                None => false,
+                Some(Some(turn)) => turn.is_negative(),
+                Some(None) => {
+                    return Err(Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
+                        .at(args.span(1))
+                        .hint("squared_curvature(c, t) has none"));
+                }
+            };
+            Ok(square_root(&number, turns_right))
         },
         ..NEW
     },
     Builtin {
         name: "squared_curvature",
-        parameters: &[CURVE, PARAMETER],
+        parameters: &[LINE, PARAMETER],
         summary: "the square of the curvature, which is rational: (|c'|^2 |c''|^2 - (c' c'')^2)/|c'|^6",
         gives: Gives::Scalar,
         example: "squared_curvature([t, t^2], t)",
@@ -63,7 +67,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "torsion",
-        parameters: &[CURVE, PARAMETER],
+        parameters: &[LINE, PARAMETER],
         summary: "det(c', c'', c''')/|c' x c''|^2 of a curve in space",
         gives: Gives::Scalar,
         example: "torsion([t, t^2, t^3], 0)",
@@ -75,6 +79,15 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// ±√q for q ≥ 0, rational or the root of a polynomial.
+pub(super) fn square_root(q: &Rational, negative: bool) -> Value {
+    let letter = Symbol::new("x");
+    let square = Poly::variable().pow(2) - Poly::constant(q.clone());
+    let roots = square.real_roots(None, None).unwrap_or_default();
+    let end = if negative { roots.into_iter().next() } else { roots.into_iter().next_back() };
+    end.map_or_else(|| Value::int(0), |(root, _)| Value::root(root, &letter))
+}
 
 /// The value and the derivatives up to an order of the curve at the first place, at the parameter
 /// at the second. A list of formulas, [t, t^2], is a curve on the whole line.

@@ -5,14 +5,14 @@ use super::geometric::numeric;
 use super::intersections::{PLANE_CURVE, plane_pieces};
 use super::gives::Gives;
 use super::on_surface::partial_derivatives;
-use super::parameter::{CURVE, Parameter, SURFACE, named, optional, required};
+use super::parameter::{CURVE, GRAPH, Parameter, named, optional, required};
 use super::roots;
-use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, points_of};
 use crate::language::ops::takes::Takes;
-use crate::language::value::{Form, Geometry, Value, in_letter};
+use crate::language::value::{Form, Value, in_letter};
 use crate::math::curve::{self, AreaError, BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
 use crate::math::poly::{Fraction, Symbol};
@@ -32,7 +32,7 @@ const OUTLINE: Parameter = required(
 .shown("[p_0, ..., p_m]");
 
 const AT: [Parameter; 3] = [
-    SURFACE,
+    GRAPH,
     required("u", Takes::Scalar, "the first parameter"),
     required("v", Takes::Scalar, "the second parameter"),
 ];
@@ -178,25 +178,26 @@ struct Fundamental {
 fn fundamental(args: &Arguments) -> Result<Fundamental> {
     let (jet, _) = partial_derivatives(args, 2)?;
     let (u, v) = (&jet[1][0], &jet[0][1]);
+    let normal = normal(u, v, args)?;
+    let dot = |a: &[Fraction], b: &[Fraction]| {
+        a.iter().zip(b).fold(Fraction::from(rational(0, 1)), |sum, (x, y)| sum.plus(&x.times(y)))
+    };
+    let first = [dot(u, u), dot(u, v), dot(v, v)];
+    let second = [&jet[2][0], &jet[1][1], &jet[0][2]].map(|d| dot(d, &normal));
+    let area = dot(&normal, &normal);
+    Ok(Fundamental { first, second, area })
+}
+
+/// s_u × s_v
+pub(super) fn normal(u: &[Fraction], v: &[Fraction], args: &Arguments) -> Result<[Fraction; 3]> {
     if u.len() != 3 {
         let message = format!("a surface in space is needed, this one has {} coordinates", u.len());
         return Err(Diagnostic::error(Code::Shape, message)
             .at(args.span(0))
             .hint("give points with three coordinates"));
     }
-    let dot = |a: &[Fraction], b: &[Fraction]| {
-        a.iter().zip(b).fold(Fraction::from(rational(0, 1)), |sum, (x, y)| sum.plus(&x.times(y)))
-    };
-    let normal: Vec<Fraction> = (0..3)
-        .map(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            u[i].times(&v[j]).minus(&u[j].times(&v[i]))
-        })
-        .collect();
-    let first = [dot(u, u), dot(u, v), dot(v, v)];
-    let second = [&jet[2][0], &jet[1][1], &jet[0][2]].map(|d| dot(d, &normal));
-    let area = dot(&normal, &normal);
-    Ok(Fundamental { first, second, area })
+    let minor = |i: usize, j: usize| u[i].times(&v[j]).minus(&u[j].times(&v[i]));
+    Ok([minor(1, 2), minor(2, 0), minor(0, 1)])
 }
 
 fn flat(args: &Arguments) -> Diagnostic {
@@ -263,6 +264,12 @@ fn no_area(error: AreaError, count: usize, args: &Arguments) -> Diagnostic {
 fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {
     let wrong = || wrong_kind("points of the plane or a closed curve", outline).at(args.span(0));
     let (points, _) = points_of(outline).ok_or_else(|| wrong().hint("area([[0, 0], [2, 0], [0, 3]])"))?;
+    if points.len() == 3 && points.iter().any(|p| p.len() == 1) {
+        let error = Diagnostic::error(Code::ControlPoints, "the points have no coordinates").at(args.span(0));
+        return Err(error
+            .reason("a symbol is a number here")
+            .hint("write points by their coordinates: area([[x_1, y_1], [x_2, y_2], [x_3, y_3]])"));
+    }
     if points.len() < 3 || points.iter().any(|p| p.len() != 2) {
         return Err(Diagnostic::error(
             Code::ControlPoints,

@@ -3,7 +3,7 @@
 use super::curves::interval;
 use super::differential::{PARAMETER, derivatives};
 use super::gives::Gives;
-use super::parameter::{CURVE, END, Parameter, START, named, required, size};
+use super::parameter::{CURVE, END, LINE, Parameter, START, named, required, size};
 use super::solve::system_error;
 use super::surfaces::{tensor, triangular};
 use super::{Builtin, by_pieces, on_surface};
@@ -261,7 +261,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "derivatives_at",
-        parameters: &[CURVE, PARAMETER, size("k", "the highest order")],
+        parameters: &[LINE, PARAMETER, size("k", "the highest order")],
         summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
         gives: Gives::List,
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
@@ -345,6 +345,10 @@ fn revolve(args: &Arguments) -> Result<Value> {
             let [p, q]: [Point<Fraction>; 2] = points.ok_or_else(|| {
                 wrong_kind("two points of the axis", value).at(span).hint("axis=[[0, 0, 0], [1, 1, 0]]")
             })?;
+            if p == q {
+                let error = Diagnostic::error(Code::Degenerate, "the two points of the axis are the same");
+                return Err(error.at(span).hint("give two different points: axis=[[0, 0, 0], [0, 0, 1]]"));
+            }
             curves.iter().map(|curve| curve::revolve_about(curve, &p, &q)).collect()
         }
     };

@@ -9,7 +9,7 @@
 
 use num_traits::{Signed, Zero};
 
-use super::{BezierCurve, CurveError, Point};
+use super::{BezierCurve, Point};
 use crate::budget;
 use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, integer, rational};
@@ -215,14 +215,10 @@ mod tests {
             prop_assert!(riemann.0 <= narrow.1 && narrow.0 <= riemann.1);
         }
 
-        /// Green's formula agrees with the shoelace formula and with triangles from the origin.
+        /// The shoelace formula agrees with triangles from the origin.
         #[test]
         fn polygons(points in prop::collection::vec((-5i64..6, -5i64..6), 3..7)) {
             let at = |i: usize| { let (x, y) = points[i % points.len()]; [integer(x), integer(y)] };
-            let edges: Vec<_> = (0..points.len())
-                .map(|i| BezierCurve::new(vec![at(i).to_vec(), at(i + 1).to_vec()], Interval::unit()).unwrap())
-                .collect();
-            let found = green(&edges).unwrap();
             let mut expected = [Rational::zero(), Rational::zero(), Rational::zero()];
             for i in 0..points.len() {
                 let ([a, b], [c, d]) = (at(i), at(i + 1));
@@ -231,7 +227,6 @@ mod tests {
                 expected[1] += &area * (a + c) / integer(3);
                 expected[2] += &area * (b + d) / integer(3);
             }
-            prop_assert_eq!(&found, &expected);
             let corners: Vec<Point<Rational>> = (0..points.len()).map(|i| at(i).into()).collect();
             prop_assert_eq!(polygon_moments(&corners), expected);
         }
