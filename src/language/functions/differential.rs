@@ -130,7 +130,7 @@ fn squared_and_turn(args: &Arguments) -> Result<(Fraction, Option<Fraction>)> {
 }
 
 /// The error where a curve stands still or runs straight on.
-fn still(error: CurveError, args: &Arguments) -> Diagnostic {
+pub(super) fn still(error: CurveError, args: &Arguments) -> Diagnostic {
     match error {
         CurveError::Degenerate => {
             Diagnostic::error(Code::Degenerate, "the derivatives vanish there, or are parallel")

@@ -18,6 +18,7 @@ mod scheme;
 mod smoothness;
 #[cfg(test)]
 mod tests;
+mod tangent;
 mod vertex;
 
 use std::fmt;
@@ -25,6 +26,7 @@ use std::fmt;
 pub use limit::{Stencil, limit_stencil};
 pub use scheme::Scheme;
 pub use smoothness::{Contraction, contraction, iterated_norm};
+pub use tangent::{Weight, vertex_tangents};
 pub use vertex::{Cosine, VertexScheme, vertex_eigenvalues, vertex_limit, vertex_matrix};
 
 /// Why points cannot be subdivided, or a scheme not be analysed.
