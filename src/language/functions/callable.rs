@@ -177,8 +177,6 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("delta", "differences"),
     ("stiffness_matrix", "gram"),
     ("dual_bernstein", "dual_basis"),
-    ("smoothing_spline", "least_squares_spline"),
-    ("quasi_interpolant", "schoenberg"),
     ("subdivision", "subdivide_polygon"),
     ("chaikin", "subdivide_polygon"),
     ("corner_cutting", "subdivide_polygon"),

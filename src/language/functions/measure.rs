@@ -15,7 +15,7 @@ use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, in_letter};
 use crate::math::curve::{self, AreaError, BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -116,6 +116,34 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Curve,
         example: "pythagorean_curve(1, t)",
         call: |_, args| pythagorean(args),
+        ..NEW
+    },
+    Builtin {
+        name: "offset",
+        parameters: &[CURVE, required("d", Takes::Number, "the distance, positive to the left of a curve")],
+        summary: "the curve at distance d, of a plane curve with a Pythagorean hodograph: it is rational",
+        gives: Gives::Curve,
+        example: "offset(pythagorean_curve(1, t), 1)",
+        call: |_, args| {
+            let curve = numbers(args)?;
+            if curve.dimension() != 2 {
+                let message = format!("a curve of the plane is needed, this one has {} coordinates", curve.dimension());
+                let error = Diagnostic::error(Code::Shape, message).at(args.span(0));
+                return Err(error.hint("only plane curves have offsets to their left and right"));
+            }
+            let moved = curve::pythagorean_offset(&curve, &args.rational(1)?).ok_or_else(|| {
+                let error = Diagnostic::error(Code::Irrational, "the offset of this curve is not rational");
+                error
+                    .at(args.span(0))
+                    .reason("|c'|^2 is not the square of a polynomial that is not 0")
+                    .hint("pythagorean_curve(U, V) makes curves whose offsets are rational")
+            })?;
+            let point = |p: &Point<Rational>| -> Point<Fraction> { p.iter().cloned().map(Fraction::from).collect() };
+            let (a, b) = moved.interval().ends();
+            let interval = Interval::new(Fraction::from(a.clone()), Fraction::from(b.clone())).map_err(curve_error)?;
+            let moved = BezierCurve::new(moved.points().iter().map(point).collect(), interval).map_err(curve_error)?;
+            Ok(bezier(moved, Form { scalar: false, rational: true }))
+        },
         ..NEW
     },
     Builtin {
@@ -282,25 +310,23 @@ fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {
 }
 
 fn pythagorean(args: &Arguments) -> Evaluated {
-    let ((u, _), (v, _)) = (roots::numeric(args, 0)?, roots::numeric(args, 1)?);
+    let (u, v) = (args.univariate(0)?, args.univariate(1)?);
+    if u.coefficients.len() > 1 && v.coefficients.len() > 1 && u.variable != v.variable {
+        let message = format!("{} and {}: one variable is needed", u.variable, v.variable);
+        return Err(Diagnostic::error(Code::AmbiguousVariable, message).at(args.span(1)).hint("use t in both"));
+    }
     let start = match args.given(2) {
-        None => [rational(0, 1), rational(0, 1)],
+        None => [0, 0].map(|x| Fraction::from(rational(x, 1))),
         Some((_, span)) => {
-            let point: Point<Fraction> = args.point(2)?;
-            let list: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
-            list.and_then(|list| list.try_into().ok()).ok_or_else(|| {
-                Diagnostic::error(Code::Shape, "a point with two numbers is needed")
-                    .at(span)
-                    .hint("such as [0, 0]")
+            let point: Vec<Fraction> = args.point(2)?.iter().cloned().collect();
+            point.try_into().map_err(|_| {
+                let error = Diagnostic::error(Code::Shape, "a point of the plane is needed").at(span);
+                error.hint("such as [0, 0]")
             })?
         }
     };
-    let coordinates = curve::pythagorean_curve(&u, &v, &start);
-    let degree = coordinates.iter().filter_map(|p| p.degree()).max().unwrap_or(0);
-    let power: Vec<Vec<Fraction>> = coordinates
-        .iter()
-        .map(|p| (0..=degree).map(|k| Fraction::from(p.coefficient(k))).collect())
-        .collect();
+    let (u, v) = (Coefficients::new(u.coefficients), Coefficients::new(v.coefficients));
+    let power = curve::pythagorean_curve(&u, &v, start).map(|p| p.to_vec());
     let curve = BezierCurve::from_power(&power, Interval::unit()).map_err(curve_error)?;
     Ok(bezier(curve, Form::default()))
 }

@@ -13,8 +13,8 @@ use super::{BezierCurve, Point};
 use crate::budget;
 use crate::math::interval::Interval;
 use crate::math::number::{Int, Rational, integer, rational};
-use crate::math::poly::{Poly, RealRoot};
-use crate::math::ring::Field;
+use crate::math::poly::{Coefficients, Poly, RealRoot};
+use crate::math::ring::{Field, Ring};
 
 /// The polynomials of the coordinates.
 fn coordinates(curve: &BezierCurve<Rational>) -> Vec<Poly> {
@@ -126,11 +126,40 @@ fn distance(p: &Point<Rational>, q: &Point<Rational>, width: &Rational) -> (Rati
     (Rational::new(floor, n.clone()), Rational::new(next, n))
 }
 
-/// The planar curve with c' = (u² − v², 2 u v) and c(0) = the start.
-pub fn pythagorean_curve(u: &Poly, v: &Poly, start: &[Rational; 2]) -> [Poly; 2] {
-    let derivatives = [u.pow(2) - v.pow(2), (u * v).scale(&integer(2))];
-    let [x, y] = derivatives.map(|d| d.antiderivative());
-    [x + Poly::constant(start[0].clone()), y + Poly::constant(start[1].clone())]
+/// The planar curve with c' = (u² − v², 2 u v) and c(0) = the start, by powers.
+///
+/// Cost: three products.
+pub fn pythagorean_curve<C: Ring>(
+    u: &Coefficients<C>,
+    v: &Coefficients<C>,
+    start: [C; 2],
+) -> [Coefficients<C>; 2] {
+    let both = u.times(v);
+    let [x, y] = [u.times(u).minus(&v.times(v)), both.plus(&both)].map(|slope| slope.antiderivative());
+    let [a, b] = start.map(Coefficients::constant);
+    [x.plus(&a), y.plus(&b)]
+}
+
+/// The offset c + d n of a planar curve with a Pythagorean hodograph, with n = (−y', x')/σ to the left of the direction in which the
+/// curve runs where σ > 0, by homogeneous coordinates σ x − d y', σ y + d x', σ. `None` if |c'|² is no square.
+///
+/// R. T. Farouki, T. Sakkalis, "Pythagorean hodographs", IBM J. Res. Dev. 34 (1990). Cost: that of [`speed`].
+///
+/// ```
+/// use polarform::curve::{BezierCurve, Interval, pythagorean_offset};
+/// use polarform::number::integer as z;
+/// let line = BezierCurve::new(vec![vec![z(0), z(0)], vec![z(3), z(4)]], Interval::unit())?;
+/// let moved = pythagorean_offset(&line, &z(5)).unwrap();
+/// assert_eq!(moved.points(), [[z(-20), z(15), z(5)], [z(-5), z(35), z(5)]]);
+/// # Ok::<(), polarform::curve::CurveError>(())
+/// ```
+pub fn pythagorean_offset(curve: &BezierCurve<Rational>, d: &Rational) -> Option<BezierCurve<Rational>> {
+    let sigma = speed(curve).filter(|sigma| !sigma.is_zero())?;
+    let list = coordinates(curve);
+    let [x, y] = list.as_slice() else { return None };
+    let moved = [&sigma * x - y.derivative().scale(d), &sigma * y + x.derivative().scale(d), sigma];
+    let power: Vec<Vec<Rational>> = moved.iter().map(Poly::coefficients).collect();
+    BezierCurve::from_power(&power, curve.interval().clone()).ok()
 }
 
 /// The area of a polygon of the plane and its moments: Σ a_i, Σ a_i (x_i + x_{i+1})/3 and Σ a_i (y_i + y_{i+1})/3 with
@@ -172,11 +201,27 @@ mod tests {
         /// The speed is u² + v², and bounds without it contain the exact length.
         #[test]
         fn pythagorean_hodographs(u in poly(4), v in poly(4)) {
-            let list = pythagorean_curve(&u, &v, &[integer(2), integer(3)]);
+            let [a, b] = [&u, &v].map(|p| Coefficients::new(p.coefficients()));
+            let list = pythagorean_curve(&a, &b, [integer(2), integer(3)]).map(|p| Poly::from_coefficients(p.to_vec()));
             let c = curve(&list, 7);
             prop_assert_eq!(c.value(&integer(0)), [integer(2), integer(3)]);
             let sigma = u.pow(2) + v.pow(2);
             prop_assert_eq!(speed(&c).unwrap(), sigma.clone());
+            // The offset has the distance d from the curve, at right angles to it.
+            if !sigma.is_zero() {
+                let moved = pythagorean_offset(&c, &integer(3)).unwrap();
+                for k in 0..=4 {
+                    let t = rational(k, 4);
+                    let (p, m) = (c.value(&t), moved.value(&t));
+                    if m[2].is_zero() {
+                        continue;
+                    }
+                    let [dx, dy] = [0, 1].map(|i| &m[i] / &m[2] - &p[i]);
+                    let slope = c.nth_derivative(1).value(&t);
+                    prop_assert_eq!(&dx * &dx + &dy * &dy, integer(9));
+                    prop_assert!((dx * &slope[0] + dy * &slope[1]).is_zero());
+                }
+            }
             let length = sigma.integral(&Interval::unit());
             prop_assert_eq!(arc_length(&c, &rational(1, 10)), (length.clone(), length.clone()));
             // The same curve moved into space obliquely has no polynomial speed in general, but the same kind of bounds.

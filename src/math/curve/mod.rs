@@ -67,7 +67,7 @@ pub use intersect::{Meeting, PlaneCurve};
 pub use join::{Continuity, JoiningCondition, continuity_at, joining_conditions};
 pub use green::{AreaError, green};
 pub use inflection::{Straight, inflections};
-pub use length::{arc_length, polygon_moments, pythagorean_curve, speed};
+pub use length::{arc_length, polygon_moments, pythagorean_curve, pythagorean_offset, speed};
 pub use moving::{MovingLine, inversion_formula, moving_lines};
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
