@@ -20,6 +20,7 @@
 //! | real roots in intervals of their own | [`roots()`] |
 //! | F ≥ 0 or F > 0 on an interval | [`positivity()`], [`positivity_by_elevation`] |
 //! | Sturm's chain with its signs; Sylvester's determinant | [`sturm`]; [`resultant`] |
+//! | how two curves meet G^k | [`geometric_steps`] |
 //! | the hull property; a curvature | [`hull()`]; [`curvature()`] |
 //! | F ≥ 0 on a rectangle or triangle; a box or tetrahedron | [`positivity_over`] |
 //! | real roots by convex hulls | [`clipping()`] |
@@ -38,6 +39,7 @@ mod combine;
 mod connection;
 mod curvature;
 mod elimination;
+mod geometric;
 mod hull;
 mod implicit;
 mod join;
@@ -60,6 +62,7 @@ pub use combine::{Combination, combination};
 pub use connection::connection_matrix;
 pub use curvature::curvature;
 pub use elimination::{resultant, sturm};
+pub use geometric::geometric_steps;
 pub use hull::hull;
 pub use implicit::implicit;
 pub use join::joining;

@@ -244,6 +244,18 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "geometric_continuity",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            optional("k", Takes::Size, "2", "the order"),
+        ],
+        summary: "how two curves meet G^k, by the chain rule",
+        example: "derive(geometric_continuity, bezier([[0, 0], [1, 0], [2, 1]]), bezier([[2, 1], [4, 3], [5, 5]]), 2)",
+        call: |_, args| told(args, geometric_continuity(args)?),
+        ..NEW
+    },
+    Builtin {
         name: "hull",
         parameters: &[CURVE, required("t", Takes::Number, "a parameter in the interval of the curve")],
         summary: "why a point of a curve lies in the convex hull of the control points",
@@ -366,6 +378,23 @@ fn resultant(args: &Arguments) -> Result<Derivation> {
         let error = Diagnostic::error(Code::Domain, "the resultant of 0 is 0").at(args.span(0));
         error.hint("give two polynomials that are not 0")
     })
+}
+
+/// Two polynomial curves with numbers.
+fn geometric_continuity(args: &Arguments) -> Result<Derivation> {
+    let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+    let form = super::joins::polynomial_pair(args, left, right)?;
+    let k = args.size(2)?;
+    crate::budget::charge_terms((k as u64).saturating_pow(3));
+    let numbers = |i: usize, curve| {
+        super::geometric::numeric(curve).ok_or_else(|| {
+            Diagnostic::error(Code::Type, "numbers are needed as control points")
+                .at(args.span(i))
+                .hint("geometric_continuity(c, d, k) has the conditions for symbols")
+        })
+    };
+    let (p, q) = (numbers(0, &f)?, numbers(1, &g)?);
+    derive::geometric_steps((&f, &g), (&p, &q), form, k).map_err(curve_error).at(args.span(1))
 }
 
 /// A point within the interval of a polynomial curve.

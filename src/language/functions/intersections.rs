@@ -76,6 +76,10 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |machine, args| {
             let curve = plane_curve(args, 0)?;
             let found = curve.double_points().map_err(|error| twice(error, args))?;
+            if found.is_empty() {
+                let note = "no two real parameters have one point; isolated double points have complex parameters";
+                machine.note(Diagnostic::note(Code::NotReal, note).at(args.span(0)));
+            }
             let rows = found.into_iter().map(|pair| (pair.parameters.to_vec(), pair.degree));
             table(machine, args, ["s", "t"].as_slice(), &|t| curve.point(t).to_vec(), rows.collect())
         },
@@ -87,7 +91,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the parameters of a point of a plane curve; without a point the formula in x and y",
         gives: Gives::Any,
         example: "inversion([t^2, t^3])",
-        call: |_, args| inversion(args),
+        call: inversion,
         ..NEW
     },
     Builtin {
@@ -118,7 +122,7 @@ fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
     let coordinates = <[Poly; 3]>::try_from(coordinates).map_err(|list| {
         let message = format!("a curve of the plane is needed, this one has {} coordinates", list.len() - 1);
         let error = Diagnostic::error(Code::Shape, message).at(args.span(i));
-        error.hint("implicit(c) and intersections(c, d) take curves in space, too")
+        error.hint("implicit(c), inversion(c, p) and intersections(c, d) take curves in space, too")
     })?;
     Ok((coordinates, range))
 }
@@ -334,7 +338,10 @@ fn table(
     Ok(Value::Table(Arc::new(result)))
 }
 
-fn inversion(args: &Arguments) -> Result<Value> {
+fn inversion(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    if homogeneous_coordinates(args, 0)?.0.len() > 3 && args.given(1).is_some() {
+        return inversion_in_space(machine, args);
+    }
     let (coordinates, range) = numbers(args, 0)?;
     let Some((_, span)) = args.given(1) else {
         let [x, y] = ["x", "y"].map(Symbol::new);
@@ -355,6 +362,33 @@ fn inversion(args: &Arguments) -> Result<Value> {
         Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(0))
     })?;
     let found = curve.parameters_of(&point).ok_or_else(|| single_point(args))?;
+    Ok(parameters(machine, args, found))
+}
+
+/// Parameters of a point; a remark where there is none.
+fn parameters(machine: &mut Machine, args: &Arguments, found: Vec<RealRoot>) -> Value {
+    if found.is_empty() {
+        let note = "the point does not lie on the curve, or its parameter is not real or outside of the interval";
+        machine.note(Diagnostic::note(Code::OutsideDomain, note).at(args.span(1)));
+    }
     let t = Symbol::new("t");
-    Ok(Value::List(found.into_iter().map(|root| Value::root(root, &t)).collect()))
+    Value::List(found.into_iter().map(|root| Value::root(root, &t)).collect())
+}
+
+/// The parameters of a point in space: common roots of X − x W, Y − y W, Z − z W.
+fn inversion_in_space(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    let (coordinates, (lower, upper)) = homogeneous_numbers(args, 0)?;
+    let point = args.point(1)?;
+    let numbers: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
+    let dimension = coordinates.len() - 1;
+    let point = numbers.filter(|list| list.len() == dimension).ok_or_else(|| {
+        Diagnostic::error(Code::Shape, format!("a point with {dimension} numbers as coordinates is needed"))
+            .at(args.span(1))
+    })?;
+    let weight = &coordinates[dimension];
+    let differences = coordinates.iter().zip(&point).map(|(x, c)| x - &weight.scale(c));
+    let common = differences.reduce(|p, q| p.gcd(&q)).ok_or_else(|| single_point(args))?;
+    let found = common.real_roots(lower.as_ref(), upper.as_ref()).ok_or_else(|| single_point(args))?;
+    let finite = |(t, _): (RealRoot, usize)| (!t.sign_of(weight).is_eq()).then_some(t);
+    Ok(parameters(machine, args, found.into_iter().filter_map(finite).collect()))
 }

@@ -36,6 +36,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Resultant => "The resultant as Sylvester's determinant".into(),
         Title::Hull => "A point in the convex hull of the control points".into(),
         Title::Curvature => "The curvature of a curve".into(),
+        Title::GeometricContinuity(k) => format!("How two curves meet `G^{k}`"),
         Title::Implicit => "The equation of a curve by Bézout's determinant".into(),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
@@ -271,6 +272,12 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::SquaredCurvature => {
             "the squared area of their parallelogram, by Lagrange's identity, over the sixth power of `|c'|`".into()
         }
+        Reason::DerivativesAtEnd => "the derivatives where `F` ends".into(),
+        Reason::DerivativesAtStart => "the derivatives where `G` starts".into(),
+        Reason::BetaWanted(j) => format!("what `G^{j}` asks for, by the chain rule"),
+        Reason::BetaFound(j) => format!("so the curves meet `G^{j}`"),
+        Reason::BetaMissing(j) => format!("no multiple of `F'`: the curves do not meet `G^{j}`"),
+        Reason::BetaNegative => "only a negative multiple of `F'`: the tangents are opposite, a cusp".into(),
         Reason::CurvatureWithSign => "its root; in the plane it is positive in a left turn".into(),
         Reason::NoneNegativeOver(corners) => {
             format!("no Bernstein coefficient is negative: not negative over {corners}")

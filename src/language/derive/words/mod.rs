@@ -64,6 +64,8 @@ pub enum Title {
     Hull,
     /// A curvature.
     Curvature,
+    /// How two curves meet G^k.
+    GeometricContinuity(usize),
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -439,6 +441,19 @@ pub enum Reason {
     SquaredCurvature,
     /// κ
     CurvatureWithSign,
+
+    /// The derivatives of the first curve where it ends.
+    DerivativesAtEnd,
+    /// Those of the second one where it starts.
+    DerivativesAtStart,
+    /// What β_j has to be for G^j.
+    BetaWanted(usize),
+    /// β_j.
+    BetaFound(usize),
+    /// There is no β_j.
+    BetaMissing(usize),
+    /// β_1 would be negative.
+    BetaNegative,
     /// No Bernstein coefficient over a rectangle or triangle with these corners is negative.
     NoneNegativeOver(String),
     /// On the edges it is a polynomial in one variable.
