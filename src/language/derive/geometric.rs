@@ -68,7 +68,9 @@ pub fn geometric_steps(
             (Some(GeometricFailure::Opposite), None) => Reason::BetaNegative,
             _ => Reason::BetaMissing(j),
         };
-        lines.push(line(chain([wanted, Expr::sum(terms), vector(&rest)]), reason));
+        // Without a solution β_j F' stands on no side: each line is true.
+        let wanted = solved.map(|_| wanted);
+        lines.push(line(chain(wanted.into_iter().chain([Expr::sum(terms), vector(&rest)])), reason));
         if let Some(value) = solved {
             lines.push(line(chain([symbol_expr(&beta(j)), Expr::number(value)]), Reason::BetaFound(j)));
         }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::Builtin;
 use super::blends::{BOUNDARY, coons};
-use super::differential::{derivatives, still};
+use super::differential::{self, derivatives, still};
 use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
     CURVE, DEGREE, LINE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional, required,
@@ -15,7 +15,6 @@ use super::parameter::{
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
 use super::rational_blossoms::{MULTIRATIONAL, function, multirational_error};
-use super::table::builtin;
 use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
@@ -268,7 +267,7 @@ const SUBJECTS: &[Builtin] = &[
         parameters: &[LINE, required("t", Takes::Scalar, "the parameter")],
         summary: "the curvature by the first two derivatives",
         example: "derive(curvature, [t, t^2], 1)",
-        call: |machine, args| told(args, curvature(machine, args)?),
+        call: |_, args| told(args, curvature(args)?),
         ..NEW
     },
     Builtin {
@@ -414,11 +413,9 @@ fn hull(args: &Arguments) -> Result<Derivation> {
 }
 
 /// The curvature at a parameter, with its value where that is known.
-fn curvature(machine: &mut Machine, args: &Arguments) -> Result<Derivation> {
+fn curvature(args: &Arguments) -> Result<Derivation> {
     let (list, _) = derivatives(args, 2)?;
-    let value = builtin("curvature").and_then(|curvature| {
-        machine.aside(|machine| curvature.run(machine, args.without(&["lang"]))).0.ok()
-    });
+    let value = differential::curvature(args).ok();
     derive::curvature(&args.scalar(1)?, [&list[1], &list[2]], value.as_ref())
         .map_err(|error| still(error, args))
 }

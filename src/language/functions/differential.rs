@@ -31,29 +31,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "|c' x c''|/|c'|^3; in the plane positive in a left turn",
         gives: Gives::Scalar,
         example: "curvature([t, t^2], 0)",
-        call: |_, args| {
-            let (squared, turn) = squared_and_turn(args)?;
-            if squared.is_zero() {
-                return Ok(Value::Scalar(squared));
-            }
-            let Some(number) = squared.as_rational() else {
-                let square = crate::language::write::text(&polynomial_expr(&squared));
-                return Err(Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
-                    .at(args.span(1))
-                    .hint("squared_curvature(c, t) is rational everywhere"));
-            };
-            // In space there is no sign.
-            let turns_right = match turn.map(|turn| turn.as_rational()) {
-                None => false,
-                Some(Some(turn)) => turn.is_negative(),
-                Some(None) => {
-                    return Err(Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
-                        .at(args.span(1))
-                        .hint("squared_curvature(c, t) has none"));
-                }
-            };
-            Ok(square_root(&number, turns_right))
-        },
+        call: |_, args| curvature(args),
         ..NEW
     },
     Builtin {
@@ -80,8 +58,33 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+/// The curvature, in the plane with its sign.
+pub(super) fn curvature(args: &Arguments) -> Result<Value> {
+    let (squared, turn) = squared_and_turn(args)?;
+    if squared.is_zero() {
+        return Ok(Value::Scalar(squared));
+    }
+    let Some(number) = squared.as_rational() else {
+        let square = crate::language::write::text(&polynomial_expr(&squared));
+        return Err(Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
+            .at(args.span(1))
+            .hint("squared_curvature(c, t) is rational everywhere"));
+    };
+    // In space there is no sign.
+    let turns_right = match turn.map(|turn| turn.as_rational()) {
+        None => false,
+        Some(Some(turn)) => turn.is_negative(),
+        Some(None) => {
+            return Err(Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
+                .at(args.span(1))
+                .hint("squared_curvature(c, t) has none"));
+        }
+    };
+    Ok(square_root(&number, turns_right))
+}
+
 /// ±√q for q ≥ 0, rational or the root of a polynomial.
-pub(super) fn square_root(q: &Rational, negative: bool) -> Value {
+fn square_root(q: &Rational, negative: bool) -> Value {
     let letter = Symbol::new("x");
     let square = Poly::variable().pow(2) - Poly::constant(q.clone());
     let roots = square.real_roots(None, None).unwrap_or_default();
