@@ -552,7 +552,8 @@ fn strict_signs_on_intervals() {
         let derivation = derived(&[], &query);
         assert!(assert_true(&query, &polynomials(&[("F", formula, degree)]), &derivation) > 1, "{query}");
     }
-    for (formula, ends) in [("(t - 1)^2", ", 0, 2"), ("t^2 - 2", ", 0, 2"), ("0", ", 0, 1"), ("t", ", 0, 1")] {
+    for (formula, ends) in [("(t - 1)^2", ", 0, 2"), ("t^2 - 2", ", 0, 2"), ("0", ", 0, 1"), ("t", ", 0, 1")]
+    {
         let query = format!("positivity({formula}{ends}, strict=1, variable=t)");
         let derivation = derived(&[], &query);
         assert_true(&query, &polynomials(&[("F", formula, 0)]), &derivation);
@@ -578,9 +579,15 @@ fn eliminations_and_curves() {
     for (query, last) in [
         ("derive(resultant, x - t^2, y - t^3, t)", "det(M) = x^3 - y^2"),
         ("derive(resultant, t^2 - 1, t - 1)", "det(M) = 0"),
-        ("derive(hull, bezier([[0, 0], [1, 2], [2, 0]]), 1/3)", "F(1/3) = 4/9 (0, 0) + 4/9 (1, 2) + 1/9 (2, 0) = (2/3, 8/9)"),
+        (
+            "derive(hull, bezier([[0, 0], [1, 2], [2, 0]]), 1/3)",
+            "F(1/3) = 4/9 (0, 0) + 4/9 (1, 2) + 1/9 (2, 0) = (2/3, 8/9)",
+        ),
         ("derive(curvature, [t, t^2], 0)", "kappa = 2"),
-        ("derive(curvature, [t, t^2, t^3], t)", "kappa^2 = (E S - D^2)/E^3 = 4 (9 t^4 + 9 t^2 + 1)/(9 t^4 + 4 t^2 + 1)^3"),
+        (
+            "derive(curvature, [t, t^2, t^3], t)",
+            "kappa^2 = (E S - D^2)/E^3 = 4 (9 t^4 + 9 t^2 + 1)/(9 t^4 + 4 t^2 + 1)^3",
+        ),
         ("derive(sturm, t^3 - t, 0, 2)", "1 - 0 = 1"),
         ("derive(geometric_continuity, bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]), 1)", "beta_1 = 2"),
     ] {

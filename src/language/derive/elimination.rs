@@ -75,7 +75,10 @@ pub fn resultant(f: &MultiPoly, g: &MultiPoly, variable: &Symbol) -> Option<Deri
     let mut lines =
         vec![line(chain([at("F"), of(f)]), Reason::Given), line(chain([at("G"), of(g)]), Reason::Given)];
     if m + n > 0 {
-        lines.push(line(chain([Expr::name("M"), Value::Matrix(matrix).to_expr()]), Reason::Sylvester { m, n }));
+        lines.push(line(
+            chain([Expr::name("M"), Value::Matrix(matrix).to_expr()]),
+            Reason::Sylvester { m, n },
+        ));
     }
     let determinant = Expr::apply(Expr::name("det"), vec![Expr::name("M")]);
     let left = if m + n > 0 { determinant } else { Kind::Text("Res".to_owned()).into() };

@@ -27,9 +27,8 @@ pub fn geometric_steps(
     let beta = |i: usize| Symbol::indexed("beta", i as i64);
     let symbols: Vec<Fraction> = (1..=k).map(|i| Fraction::from(MultiPoly::symbol(beta(i)))).collect();
     let matrix = beta_matrix(&symbols);
-    let vector = |v: &[Rational]| {
-        form.plain(v.iter().cloned().map(Fraction::from).collect::<Vec<_>>()).to_expr()
-    };
+    let vector =
+        |v: &[Rational]| form.plain(v.iter().cloned().map(Fraction::from).collect::<Vec<_>>()).to_expr();
     let curve =
         |name: &str, curve: &BezierCurve<Fraction>| given_curve(name, &Geometry::Bezier(curve.clone(), form));
     let jets = [jet(f, f.interval().end(), k), jet(g, g.interval().start(), k)];

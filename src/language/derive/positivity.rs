@@ -5,7 +5,9 @@ use super::polar::{given, univariate};
 use super::schemes::label;
 use super::words::{Reason, Title};
 use crate::formula::{Expr, Rel};
-use crate::language::value::{Derivation, Notation, Value, grouped_expr, in_letter, polynomial_expr, symbol_expr};
+use crate::language::value::{
+    Derivation, Notation, Value, grouped_expr, in_letter, polynomial_expr, symbol_expr,
+};
 use crate::math::blossom::PolarForm;
 use crate::math::interval::Interval;
 use crate::math::number::Rational;

@@ -139,17 +139,21 @@ fn ruled(args: &Arguments) -> Evaluated {
     let (c, d) = (c.elevate(n - c.degree()), d.elevate(n - d.degree()));
     let last = c.dimension() - 1;
     let same = c.points().iter().zip(d.points()).all(|(p, q)| p.last() == q.last());
-    let (c, d) = if same || d.dimension() != last + 1 { (c, d) } else { (times_weight(&c, &d)?, times_weight(&d, &c)?) };
+    let (c, d) = if same || d.dimension() != last + 1 {
+        (c, d)
+    } else {
+        (times_weight(&c, &d)?, times_weight(&d, &c)?)
+    };
     curve::ruled_surface(&c, &d).map(|s| tensor(s, form)).map_err(curve_error).at(args.span(1))
 }
 
 /// Homogeneous coordinates times the weight of another curve over an interval of the same length.
 fn times_weight(c: &BezierCurve<Fraction>, d: &BezierCurve<Fraction>) -> Result<BezierCurve<Fraction>> {
     let weight = |p: &Point<Fraction>| -> Point<Fraction> { vec![p[p.len() - 1].clone(); p.len()].into() };
-    let weights = BezierCurve::new(d.points().iter().map(weight).collect(), c.interval().clone()).map_err(curve_error)?;
-    let product = |(x, w): (Vec<Fraction>, Vec<Fraction>)| {
-        Coefficients::new(x).times(&Coefficients::new(w)).to_vec()
-    };
+    let weights = BezierCurve::new(d.points().iter().map(weight).collect(), c.interval().clone())
+        .map_err(curve_error)?;
+    let product =
+        |(x, w): (Vec<Fraction>, Vec<Fraction>)| Coefficients::new(x).times(&Coefficients::new(w)).to_vec();
     let power: Vec<Vec<Fraction>> = c.power().into_iter().zip(weights.power()).map(product).collect();
     BezierCurve::from_power(&power, c.interval().clone()).map_err(curve_error)
 }
@@ -192,12 +196,22 @@ fn they_meet(args: &Arguments, in_u: &[BezierCurve<Fraction>], in_v: &[BezierCur
         for (i, d) in in_v.iter().enumerate().take(u.len()) {
             let (p, q) = (c.value(&u[i]), d.value(&v[j]));
             if p.len() == q.len() && p != q {
-                let shown = |p: &Point<Fraction>| crate::language::write::text(&Form::default().plain(p.clone()).to_expr());
+                let shown = |p: &Point<Fraction>| {
+                    crate::language::write::text(&Form::default().plain(p.clone()).to_expr())
+                };
                 let message = format!("curve {j} in u and curve {i} in v do not meet");
                 return Err(Diagnostic::error(Code::Coincident, message)
                     .at(args.span(0).to(args.span(3)))
-                    .reason(format!("at u = {} the one is at {}, at v = {} the other one at {}", u[i], shown(&p), v[j], shown(&q)))
-                    .hint("a curve in u for v_j has at u_i the point that the curve in v for u_i has at v_j"));
+                    .reason(format!(
+                        "at u = {} the one is at {}, at v = {} the other one at {}",
+                        u[i],
+                        shown(&p),
+                        v[j],
+                        shown(&q)
+                    ))
+                    .hint(
+                        "a curve in u for v_j has at u_i the point that the curve in v for u_i has at v_j",
+                    ));
             }
         }
     }

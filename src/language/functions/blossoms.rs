@@ -163,13 +163,22 @@ pub(super) const TABLE: &[Builtin] = &[
                     let level = index[m];
                     let mut own = index;
                     own[m] = 0;
-                    levels[level].iter().find(|(_, at)| *at == own).map(|(value, _)| Value::Scalar(value.clone()))
+                    levels[level]
+                        .iter()
+                        .find(|(_, at)| *at == own)
+                        .map(|(value, _)| Value::Scalar(value.clone()))
                 };
-                tetrahedral_indices(degree).into_iter().map(point).collect::<Option<Vec<_>>>().map(Value::list)
+                tetrahedral_indices(degree)
+                    .into_iter()
+                    .map(point)
+                    .collect::<Option<Vec<_>>>()
+                    .map(Value::list)
             };
-            (0..4).map(part).collect::<Option<Vec<_>>>().map(Value::list).ok_or_else(|| {
-                Diagnostic::error(Code::Internal, "a point of the scheme is missing")
-            })
+            (0..4)
+                .map(part)
+                .collect::<Option<Vec<_>>>()
+                .map(Value::list)
+                .ok_or_else(|| Diagnostic::error(Code::Internal, "a point of the scheme is missing"))
         },
         ..NEW
     },
@@ -203,7 +212,8 @@ type Level = Vec<(Fraction, [usize; 4])>;
 fn tetrahedral_levels(args: &Arguments) -> Result<Vec<Level>> {
     let points = args.scalars(0)?;
     let degree = tetrahedral_degree(args, points.len())?;
-    let weights = affine::barycentric(&corners(args)?, &args.point(1)?).map_err(curve_error).at(args.span(1))?;
+    let weights =
+        affine::barycentric(&corners(args)?, &args.point(1)?).map_err(curve_error).at(args.span(1))?;
     let mut levels: Vec<Level> = vec![points.into_iter().zip(tetrahedral_indices(degree)).collect()];
     for r in 1..=degree {
         let last = &levels[r - 1];
@@ -285,7 +295,8 @@ fn corners(args: &Arguments) -> Result<Vec<Point<Fraction>>> {
         }
     };
     let [first, rest @ ..] = corners.as_slice() else { return Ok(corners) };
-    let edges: Vec<Fraction> = rest.iter().flat_map(|p| (0..3).map(|k| p[k].minus(&first[k])).collect::<Vec<_>>()).collect();
+    let edges: Vec<Fraction> =
+        rest.iter().flat_map(|p| (0..3).map(|k| p[k].minus(&first[k])).collect::<Vec<_>>()).collect();
     let volume = determinant(&nalgebra::DMatrix::from_row_slice(3, 3, &edges)).map_err(linalg_error)?;
     if volume.is_zero() {
         let error = Diagnostic::error(Code::Degenerate, "the corners of the tetrahedron lie in a plane");

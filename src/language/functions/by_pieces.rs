@@ -89,9 +89,13 @@ impl Builtin {
     /// The place of an end of the interval, and where that is given the number.
     fn end(&self, args: &Arguments, name: &str) -> Option<(usize, Option<Rational>)> {
         let of_end = |own: &&Parameter| own.has_place() && own.kind == Takes::Number;
-        let place =
-            self.parameters.iter().filter(|own| own.has_place()).position(|own| own.name == name && of_end(&own))?;
-        let given = args.given(place).map(|(value, _)| value).or_else(|| args.named(name).map(|(value, _)| value));
+        let place = self
+            .parameters
+            .iter()
+            .filter(|own| own.has_place())
+            .position(|own| own.name == name && of_end(&own))?;
+        let given =
+            args.given(place).map(|(value, _)| value).or_else(|| args.named(name).map(|(value, _)| value));
         Some((place, given.and_then(Value::as_rational)))
     }
 
@@ -136,7 +140,11 @@ pub(super) fn roots(machine: &mut Machine, pieces: Vec<Piece>) -> Evaluated {
         } else {
             all.extend(found.iter().cloned());
         }
-        piece.notes.into_iter().filter(|note| note.code != Code::StandardMeaning).for_each(|n| machine.note(n));
+        piece
+            .notes
+            .into_iter()
+            .filter(|note| note.code != Code::StandardMeaning)
+            .for_each(|n| machine.note(n));
         end = piece.interval.end().as_rational().map(RealRoot::Rational);
     }
     Ok(Value::List(all.into()))

@@ -66,18 +66,22 @@ impl Builtin {
 
     /// arc_length([t^2, t^3]): formulas where a Bézier curve is expected are one over [0, 1].
     fn with_curves_of_formulas(&self, machine: &mut Machine, mut args: Arguments) -> Result<Arguments> {
-        let places: Vec<&Parameter> = self.parameters.iter().filter(|parameter| parameter.has_place()).collect();
+        let places: Vec<&Parameter> =
+            self.parameters.iter().filter(|parameter| parameter.has_place()).collect();
         for place in 0..args.len() {
             let several = |last: &&&Parameter| matches!(last.need, Need::Many(..));
             let kind = places.get(place).or(places.last().filter(several)).map(|parameter| parameter.kind);
-            let Some((value, span)) = args.given(place).filter(|_| kind == Some(Takes::Curve)) else { continue };
+            let Some((value, span)) = args.given(place).filter(|_| kind == Some(Takes::Curve)) else {
+                continue;
+            };
             let value = value.clone();
             if curve_of(&value).at(span)?.is_none() {
                 continue;
             }
             let (curve, form) = args.bezier(place)?;
             let curve = bezier(curve, form);
-            let note = format!("read as the curve {} over [0, 1]", crate::language::write::text(&value.to_expr()));
+            let note =
+                format!("read as the curve {} over [0, 1]", crate::language::write::text(&value.to_expr()));
             machine.note(Diagnostic::note(Code::StandardMeaning, note).at(span));
             args.put(place, curve, span);
         }
@@ -195,7 +199,10 @@ impl Builtin {
 
 /// The variables of a form of a function at their places.
 pub(super) fn with_letters(parameters: &[Parameter], args: Arguments) -> Arguments {
-    with_variable_apart(parameters, with_letter_left_out(parameters, with_variables_together(parameters, args)))
+    with_variable_apart(
+        parameters,
+        with_letter_left_out(parameters, with_variables_together(parameters, args)),
+    )
 }
 
 /// polar_total(F, u, v), groebner(F, x): symbols where a list of variables has its place are its items.

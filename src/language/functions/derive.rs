@@ -10,7 +10,8 @@ use super::blends::{BOUNDARY, coons};
 use super::differential::{self, derivatives, still};
 use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
-    CURVE, DEGREE, LINE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional, required,
+    CURVE, DEGREE, LINE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional,
+    required,
 };
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
@@ -367,9 +368,12 @@ fn resultant(args: &Arguments) -> Result<Derivation> {
         coefficients_in(f, &t).at(args.span(i))?;
         match f.as_polynomial() {
             Some(p) if !num_traits::Zero::is_zero(p) => Ok(p.clone()),
-            _ => Err(Diagnostic::error(Code::Domain, "a polynomial that is not 0 is needed, without denominators")
-                .at(args.span(i))
-                .hint("multiply by the denominator first")),
+            _ => Err(Diagnostic::error(
+                Code::Domain,
+                "a polynomial that is not 0 is needed, without denominators",
+            )
+            .at(args.span(i))
+            .hint("multiply by the denominator first")),
         }
     };
     let (p, q) = (polynomial(0, &f)?, polynomial(1, &g)?);
@@ -402,11 +406,14 @@ fn hull(args: &Arguments) -> Result<Derivation> {
     let t = args.scalar(1)?;
     if form.rational {
         let error = Diagnostic::error(Code::NotPolynomial, "this curve is rational").at(args.span(0));
-        return Err(error.hint("with positive weights it has the hull property, too: casteljau(c, t) shows means"));
+        return Err(
+            error.hint("with positive weights it has the hull property, too: casteljau(c, t) shows means")
+        );
     }
     if curve.contains(&t) == Some(false) {
         let (a, b) = curve.interval().ends();
-        let error = Diagnostic::error(Code::OutsideDomain, format!("the interval of the curve is [{a}, {b}]"));
+        let error =
+            Diagnostic::error(Code::OutsideDomain, format!("the interval of the curve is [{a}, {b}]"));
         return Err(error.at(args.span(1)).hint("outside of it weights are negative"));
     }
     Ok(derive::hull(&curve, form, &t))

@@ -3,8 +3,8 @@
 use super::gives::Gives;
 use std::sync::Arc;
 
-use super::by_pieces::{self, pieces_of};
 use super::Builtin;
+use super::by_pieces::{self, pieces_of};
 use super::parameter::{Parameter, named, optional, required};
 use super::rational::homogeneous_coordinates;
 use super::sections::{is_surface, letters_of_space, only_space, parametric_surface};
@@ -77,7 +77,8 @@ pub(super) const TABLE: &[Builtin] = &[
             let curve = plane_curve(args, 0)?;
             let found = curve.double_points().map_err(|error| twice(error, args))?;
             if found.is_empty() {
-                let note = "no two real parameters have one point; isolated double points have complex parameters";
+                let note =
+                    "no two real parameters have one point; isolated double points have complex parameters";
                 machine.note(Diagnostic::note(Code::NotReal, note).at(args.span(0)));
             }
             let rows = found.into_iter().map(|pair| (pair.parameters.to_vec(), pair.degree));
@@ -368,7 +369,8 @@ fn inversion(machine: &mut Machine, args: &Arguments) -> Result<Value> {
 /// Parameters of a point; a remark where there is none.
 fn parameters(machine: &mut Machine, args: &Arguments, found: Vec<RealRoot>) -> Value {
     if found.is_empty() {
-        let note = "the point does not lie on the curve, or its parameter is not real or outside of the interval";
+        let note =
+            "the point does not lie on the curve, or its parameter is not real or outside of the interval";
         machine.note(Diagnostic::note(Code::OutsideDomain, note).at(args.span(1)));
     }
     let t = Symbol::new("t");

@@ -148,7 +148,11 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "null_space",
-        parameters: &[required("M", Takes::OneOf(&[Takes::Matrix, Takes::Scalars]), "the matrix; a list is a row")],
+        parameters: &[required(
+            "M",
+            Takes::OneOf(&[Takes::Matrix, Takes::Scalars]),
+            "the matrix; a list is a row",
+        )],
         summary: "a basis of the x with M x = 0, as columns",
         gives: Gives::Any,
         example: "null_space([1, 2; 2, 4])",

@@ -1,12 +1,12 @@
 //! Lengths, areas and centroids; inflections; curves with Pythagorean hodographs; curvatures of surfaces.
 
-use super::{Builtin, by_pieces};
 use super::geometric::numeric;
-use super::intersections::{PLANE_CURVE, plane_pieces};
 use super::gives::Gives;
+use super::intersections::{PLANE_CURVE, plane_pieces};
 use super::on_surface::partial_derivatives;
 use super::parameter::{CURVE, GRAPH, Parameter, named, optional, required};
 use super::roots;
+use super::{Builtin, by_pieces};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, wrong_kind};
@@ -127,7 +127,8 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let curve = numbers(args)?;
             if curve.dimension() != 2 {
-                let message = format!("a curve of the plane is needed, this one has {} coordinates", curve.dimension());
+                let message =
+                    format!("a curve of the plane is needed, this one has {} coordinates", curve.dimension());
                 let error = Diagnostic::error(Code::Shape, message).at(args.span(0));
                 return Err(error.hint("only plane curves have offsets to their left and right"));
             }
@@ -138,10 +139,13 @@ pub(super) const TABLE: &[Builtin] = &[
                     .reason("|c'|^2 is not the square of a polynomial that is not 0")
                     .hint("pythagorean_curve(U, V) makes curves whose offsets are rational")
             })?;
-            let point = |p: &Point<Rational>| -> Point<Fraction> { p.iter().cloned().map(Fraction::from).collect() };
+            let point =
+                |p: &Point<Rational>| -> Point<Fraction> { p.iter().cloned().map(Fraction::from).collect() };
             let (a, b) = moved.interval().ends();
-            let interval = Interval::new(Fraction::from(a.clone()), Fraction::from(b.clone())).map_err(curve_error)?;
-            let moved = BezierCurve::new(moved.points().iter().map(point).collect(), interval).map_err(curve_error)?;
+            let interval =
+                Interval::new(Fraction::from(a.clone()), Fraction::from(b.clone())).map_err(curve_error)?;
+            let moved = BezierCurve::new(moved.points().iter().map(point).collect(), interval)
+                .map_err(curve_error)?;
             Ok(bezier(moved, Form { scalar: false, rational: true }))
         },
         ..NEW
@@ -157,7 +161,8 @@ pub(super) const TABLE: &[Builtin] = &[
             let letter = Symbol::new("t");
             let list = curve::inflections(&pieces).map_err(|curve::Straight(i)| {
                 let which = if pieces.len() == 1 { "the curve".to_owned() } else { format!("piece {i}") };
-                let error = Diagnostic::error(Code::Degenerate, format!("{which} is straight")).at(args.span(0));
+                let error =
+                    Diagnostic::error(Code::Degenerate, format!("{which} is straight")).at(args.span(0));
                 error.hint("its curvature is 0 everywhere")
             })?;
             Ok(Value::List(list.into_iter().map(|t| Value::root(t, &letter)).collect()))
@@ -283,9 +288,12 @@ fn no_area(error: AreaError, count: usize, args: &Arguments) -> Diagnostic {
         }
         AreaError::Infinite(i) => told(Code::ZeroWeight, format!("{} goes through infinity", which(i)))
             .hint("give a part of it with positive weights"),
-        AreaError::NotRational(i) => told(Code::Irrational, format!("the area below {} is no rational number", which(i)))
-            .reason("the antiderivative of (X Y' - Y X')/W^2 has logarithms or arcus tangents, as for circles")
-            .hint("area takes polynomial curves, and rational ones whose integral is rational"),
+        AreaError::NotRational(i) => told(
+            Code::Irrational,
+            format!("the area below {} is no rational number", which(i)),
+        )
+        .reason("the antiderivative of (X Y' - Y X')/W^2 has logarithms or arcus tangents, as for circles")
+        .hint("area takes polynomial curves, and rational ones whose integral is rational"),
     }
 }
 
@@ -313,7 +321,9 @@ fn pythagorean(args: &Arguments) -> Evaluated {
     let (u, v) = (args.univariate(0)?, args.univariate(1)?);
     if u.coefficients.len() > 1 && v.coefficients.len() > 1 && u.variable != v.variable {
         let message = format!("{} and {}: one variable is needed", u.variable, v.variable);
-        return Err(Diagnostic::error(Code::AmbiguousVariable, message).at(args.span(1)).hint("use t in both"));
+        return Err(Diagnostic::error(Code::AmbiguousVariable, message)
+            .at(args.span(1))
+            .hint("use t in both"));
     }
     let start = match args.given(2) {
         None => [0, 0].map(|x| Fraction::from(rational(x, 1))),

@@ -1,9 +1,9 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
-use super::{Builtin, by_pieces};
 use super::gives::Gives;
 use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use super::told::{LANG, told};
+use super::{Builtin, by_pieces};
 use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::extremes::{self, Within};
@@ -150,11 +150,20 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "positivity",
         parameters: &[
-            required("F", Takes::Polynomial, "a polynomial or quotient of polynomials, with numbers as coefficients"),
+            required(
+                "F",
+                Takes::Polynomial,
+                "a polynomial or quotient of polynomials, with numbers as coefficients",
+            ),
             LOWER,
             UPPER,
             named("strict=1", Takes::Flag, "0", "whether F > 0 is to be shown"),
-            named("degree=n", Takes::Size, "that of F, on parts of the interval", "the degree to which F is raised"),
+            named(
+                "degree=n",
+                Takes::Size,
+                "that of F, on parts of the interval",
+                "the degree to which F is raised",
+            ),
             VARIABLE,
         ],
         common: &[LANG],
@@ -227,7 +236,8 @@ fn positivity(args: &Arguments) -> Result<Value> {
     let span = args.named("degree").map_or_else(|| args.span(0), |(_, span)| span);
     let ends = a.zip(b).and_then(|(a, b)| Interval::new(a, b).ok()).filter(|_| quotient.is_none());
     let Some(ends) = ends else {
-        let error = Diagnostic::error(Code::Domain, "a polynomial is raised over an interval [a, b]").at(span);
+        let error =
+            Diagnostic::error(Code::Domain, "a polynomial is raised over an interval [a, b]").at(span);
         return Err(error.hint("positivity(t^2 - t + 1/3, 0, 1, degree=4)"));
     };
     if polynomial.degree().unwrap_or(0) > n {
@@ -237,17 +247,26 @@ fn positivity(args: &Arguments) -> Result<Value> {
     crate::budget::charge_terms((n as u64).saturating_mul(n as u64));
     let shown = derive::positivity_by_elevation(&polynomial, &variable, &ends, n, strict);
     let shown = shown.ok_or_else(|| {
-        Diagnostic::error(Code::Undecided, format!("a coefficient of degree {n} is negative, which says nothing"))
-            .at(span)
-            .hint("without degree=n the interval is halved until the sign is known; or try a higher degree")
+        Diagnostic::error(
+            Code::Undecided,
+            format!("a coefficient of degree {n} is negative, which says nothing"),
+        )
+        .at(span)
+        .hint("without degree=n the interval is halved until the sign is known; or try a higher degree")
     })?;
     told(args, shown)
 }
 
 /// P Q for P/Q, which has the sign of the quotient where Q is not 0.
-fn with_its_sign(args: &Arguments, formula: &Fraction, ends: [Option<&Rational>; 2]) -> Result<(Poly, Symbol)> {
+fn with_its_sign(
+    args: &Arguments,
+    formula: &Fraction,
+    ends: [Option<&Rational>; 2],
+) -> Result<(Poly, Symbol)> {
     let variable = formula::variable_of(formula, args.variable()?).at(args.span(0))?;
-    let of = |p: &MultiPoly| p.coefficients_in(&variable).iter().map(MultiPoly::as_constant).collect::<Option<Poly>>();
+    let of = |p: &MultiPoly| {
+        p.coefficients_in(&variable).iter().map(MultiPoly::as_constant).collect::<Option<Poly>>()
+    };
     let (Some(p), Some(q)) = (of(formula.numerator()), of(formula.denominator())) else {
         return Err(Diagnostic::error(Code::Type, "the signs of its values have to be known")
             .at(args.span(0))

@@ -50,7 +50,11 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "vertex_limit",
         parameters: &[
             required("scheme", notions::MESH, "the scheme for meshes"),
-            required("n", Takes::OneOf(&[Takes::Size, Takes::Variable]), "how many edges the vertex has, or a symbol"),
+            required(
+                "n",
+                Takes::OneOf(&[Takes::Size, Takes::Variable]),
+                "how many edges the vertex has, or a symbol",
+            ),
         ],
         summary: "the weights of the points around a vertex in its limit, in the order of vertex_matrix",
         gives: Gives::List,
@@ -119,7 +123,8 @@ fn for_any_valence(machine: &mut Machine, args: &Arguments, n: &Symbol) -> Resul
     };
     let of_triangles = |beta_n: Fraction| -> Result<Vec<Fraction>> {
         // 8 β/(3 + 8 n β) for each neighbour, by n β
-        let each = over(beta_n.times(&number(8, 1)), n.times(&number(3, 1).plus(&beta_n.times(&number(8, 1)))))?;
+        let each =
+            over(beta_n.times(&number(8, 1)), n.times(&number(3, 1).plus(&beta_n.times(&number(8, 1)))))?;
         Ok(vec![number(1, 1).minus(&n.times(&each)), each])
     };
     let (weights, of) = match scheme {
@@ -130,7 +135,9 @@ fn for_any_valence(machine: &mut Machine, args: &Arguments, n: &Symbol) -> Resul
             (list, "the vertex, each neighbour, each opposite corner")
         }
         VertexScheme::DooSabin => (vec![over(number(1, 1), n.clone())?], "each corner of the face"),
-        VertexScheme::Warren => (of_triangles(number(3, 8))?, "the vertex, each neighbour; n = 3 has 3/16 for 3/(8 n)"),
+        VertexScheme::Warren => {
+            (of_triangles(number(3, 8))?, "the vertex, each neighbour; n = 3 has 3/16 for 3/(8 n)")
+        }
         VertexScheme::Loop => {
             let c = Fraction::from(MultiPoly::symbol(Symbol::new("c")));
             let inner = number(3, 8).plus(&c.times(&number(1, 4)));

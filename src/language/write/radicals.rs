@@ -89,7 +89,7 @@ fn square_out(n: &Int) -> (Int, Int) {
         let square = Int::from(p * p);
         while (&inside % &square).is_zero() {
             inside = &inside / &square;
-            outside = outside * Int::from(p);
+            outside *= Int::from(p);
         }
     }
     (outside, inside)
@@ -139,9 +139,10 @@ mod tests {
             Kind::Number(q) => q.to_string().parse().unwrap(),
             Kind::Div(above, below, _) => value(above) / value(below),
             Kind::Mul(factors) => factors.iter().map(value).product(),
-            Kind::Add(terms) => {
-                terms.iter().map(|t| if t.sign == Sign::Minus { -value(&t.expr) } else { value(&t.expr) }).sum()
-            }
+            Kind::Add(terms) => terms
+                .iter()
+                .map(|t| if t.sign == Sign::Minus { -value(&t.expr) } else { value(&t.expr) })
+                .sum(),
             Kind::Apply(_, groups) => value(&groups[0][0]).sqrt(),
             other => panic!("{other:?}"),
         }

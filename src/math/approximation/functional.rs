@@ -170,7 +170,9 @@ mod tests {
     #[test]
     fn of_degree_0_it_takes_values_in_the_middle() {
         let knots = KnotVector::new(0, [0, 1, 3].map(z).to_vec()).unwrap();
-        let s = quasi_interpolant(knots, |x: &Rational| Ok::<_, SplineError>([x.clone()].into())).unwrap().unwrap();
+        let s = quasi_interpolant(knots, |x: &Rational| Ok::<_, SplineError>([x.clone()].into()))
+            .unwrap()
+            .unwrap();
         assert_eq!(s.points(), [[q(1, 2)], [z(2)]]);
     }
 }

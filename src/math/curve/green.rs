@@ -156,13 +156,22 @@ mod tests {
     #[test]
     fn what_has_no_rational_area() {
         // x² + y² = 1 in the first quadrant
-        let arc = PlaneCurve::new([poly(&[1, 0, -1]), poly(&[0, 2]), poly(&[1, 0, 1])], (Some(z(0)), Some(z(1)))).unwrap();
+        let arc =
+            PlaneCurve::new([poly(&[1, 0, -1]), poly(&[0, 2]), poly(&[1, 0, 1])], (Some(z(0)), Some(z(1))))
+                .unwrap();
         let [o, p, q] = [[0, 0], [1, 0], [0, 1]].map(|p: [i64; 2]| p.map(z));
-        assert_eq!(green(&[segment(o.clone(), p.clone(), [1, 1]), arc.clone(), segment(q, o, [1, 1])]), Err(AreaError::NotRational(1)));
-        assert_eq!(green(&[segment(p.clone(), p.clone(), [1, 1]), segment([z(2), z(0)], p, [1, 1])]), Err(AreaError::Apart(1)));
+        assert_eq!(
+            green(&[segment(o.clone(), p.clone(), [1, 1]), arc.clone(), segment(q, o, [1, 1])]),
+            Err(AreaError::NotRational(1))
+        );
+        assert_eq!(
+            green(&[segment(p.clone(), p.clone(), [1, 1]), segment([z(2), z(0)], p, [1, 1])]),
+            Err(AreaError::Apart(1))
+        );
         let endless = PlaneCurve::new([poly(&[0, 1]), poly(&[1]), poly(&[1])], (None, Some(z(1)))).unwrap();
         assert_eq!(green(&[endless]), Err(AreaError::Endless(0)));
-        let pole = PlaneCurve::new([poly(&[1]), poly(&[0, 1]), poly(&[-1, 2])], (Some(z(0)), Some(z(1)))).unwrap();
+        let pole =
+            PlaneCurve::new([poly(&[1]), poly(&[0, 1]), poly(&[-1, 2])], (Some(z(0)), Some(z(1)))).unwrap();
         assert_eq!(green(&[pole]), Err(AreaError::Infinite(0)));
     }
 }

@@ -90,7 +90,13 @@ mod tests {
         };
         let [a, b, c] = [t - &h, t.clone(), t + &h].map(|s| point(&s));
         let area = (&b[0] - &a[0]) * (&c[1] - &a[1]) - (&b[1] - &a[1]) * (&c[0] - &a[0]);
-        if area.is_zero() { 0 } else if area.is_negative() { -1 } else { 1 }
+        if area.is_zero() {
+            0
+        } else if area.is_negative() {
+            -1
+        } else {
+            1
+        }
     }
 
     proptest! {

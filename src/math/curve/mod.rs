@@ -61,12 +61,12 @@ pub use edge::EdgeEquation;
 pub use geometric::{
     GeometricContinuity, GeometricFailure, beta_matrix, geometric_continuity, jet, transferred,
 };
+pub use green::{AreaError, green};
 pub use hull::convex_hull;
 pub use implicit::{bezout_matrix, implicit_equation};
+pub use inflection::{Straight, inflections};
 pub use intersect::{Meeting, PlaneCurve};
 pub use join::{Continuity, JoiningCondition, continuity_at, joining_conditions};
-pub use green::{AreaError, green};
-pub use inflection::{Straight, inflections};
 pub use length::{arc_length, polygon_moments, pythagorean_curve, pythagorean_offset, speed};
 pub use moving::{MovingLine, inversion_formula, moving_lines};
 pub(crate) use patch::transposed;

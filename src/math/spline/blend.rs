@@ -80,8 +80,10 @@ pub fn coons_spline<C: Field>(
     let along_u = ruled_spline(&in_u[0], &in_u[1], &v)?;
     let along_v = ruled_spline(&in_v[0], &in_v[1], &u)?.transposed();
     let negative = |p: &Point<C>| -> Point<C> { p.iter().map(|x| -x.clone()).collect() };
-    let corners = vec![vec![negative(&bottom[0]), negative(&top[0])], vec![negative(&bottom[1]), negative(&top[1])]];
-    let bilinear = SplineSurface::new(KnotVector::clamped(1, &[], &u)?, KnotVector::clamped(1, &[], &v)?, corners)?;
+    let corners =
+        vec![vec![negative(&bottom[0]), negative(&top[0])], vec![negative(&bottom[1]), negative(&top[1])]];
+    let bilinear =
+        SplineSurface::new(KnotVector::clamped(1, &[], &u)?, KnotVector::clamped(1, &[], &v)?, corners)?;
     along_u.sum(&along_v)?.sum(&bilinear)
 }
 

@@ -16,9 +16,9 @@
 mod limit;
 mod scheme;
 mod smoothness;
+mod tangent;
 #[cfg(test)]
 mod tests;
-mod tangent;
 mod vertex;
 
 use std::fmt;

@@ -35,7 +35,10 @@ pub type Weight = [Poly; 2];
 /// assert_eq!(shown, ["0", "4", "0", "-4", "0", "1", "-1", "-1", "1"]);
 /// # Ok::<(), polarform::subdivision::SubdivisionError>(())
 /// ```
-pub fn vertex_tangents(scheme: VertexScheme, n: usize) -> Result<([Vec<Weight>; 2], RealRoot), SubdivisionError> {
+pub fn vertex_tangents(
+    scheme: VertexScheme,
+    n: usize,
+) -> Result<([Vec<Weight>; 2], RealRoot), SubdivisionError> {
     let eigenvalues = vertex_eigenvalues(scheme, n)?;
     let cosine = Cosine::new(n);
     budget::charge_terms(n as u64);
@@ -107,7 +110,9 @@ mod tests {
     /// p + q λ times λ, by λ² = s λ − 1/16 with s = (5 + c)/8, or λ = 1/2 and so on.
     #[test]
     fn rows_are_left_eigenvectors() {
-        for scheme in [VertexScheme::CatmullClark, VertexScheme::DooSabin, VertexScheme::Loop, VertexScheme::Warren] {
+        for scheme in
+            [VertexScheme::CatmullClark, VertexScheme::DooSabin, VertexScheme::Loop, VertexScheme::Warren]
+        {
             for n in 3..10 {
                 let cosine = Cosine::new(n);
                 let (rows, lambda) = vertex_tangents(scheme, n).unwrap();

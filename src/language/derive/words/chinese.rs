@@ -206,8 +206,16 @@ pub(super) fn reason(reason: &Reason) -> String {
             format!("系数均非负，首末系数为正：在 `{lower}` 到 `{upper}` 上为正")
         }
         Reason::NoneNegativeBeyond { end, up, strict } => {
-            let (before, sign) = if *strict { ("系数均非负，常数项为正", "为正") } else { ("系数均非负", "非负") };
-            if *up { format!("{before}：从 `{end}` 起{sign}") } else { format!("{before}：到 `{end}` 为止{sign}") }
+            let (before, sign) = if *strict {
+                ("系数均非负，常数项为正", "为正")
+            } else {
+                ("系数均非负", "非负")
+            };
+            if *up {
+                format!("{before}：从 `{end}` 起{sign}")
+            } else {
+                format!("{before}：到 `{end}` 为止{sign}")
+            }
         }
         Reason::PositiveConstant { strict: false } => "非负常数".into(),
         Reason::PositiveConstant { .. } => "正常数".into(),
@@ -229,7 +237,9 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::SecondDerivative => "二阶导数".into(),
         Reason::LengthSquared(of) => format!("`|{of}|^2`"),
         Reason::InnerProduct => "二者的数量积".into(),
-        Reason::SquaredCurvature => "二者所张平行四边形面积的平方（拉格朗日恒等式），除以 `|c'|` 的六次方".into(),
+        Reason::SquaredCurvature => {
+            "二者所张平行四边形面积的平方（拉格朗日恒等式），除以 `|c'|` 的六次方".into()
+        }
         Reason::DerivativesAtEnd => "`F` 终点处的导数".into(),
         Reason::DerivativesAtStart => "`G` 起点处的导数".into(),
         Reason::BetaWanted(j) => format!("由链式法则，`G^{j}` 要求"),

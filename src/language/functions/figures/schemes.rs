@@ -69,7 +69,9 @@ pub(super) fn subdivision(args: &Arguments) -> Evaluated {
     let steps = args.size(2)?;
     if steps > MOST {
         let error = Diagnostic::error(Code::Undrawable, format!("{steps} steps are too many for a picture"));
-        return Err(error.at(args.span(2)).hint("after a few steps the polygon cannot be told from the limit"));
+        return Err(error
+            .at(args.span(2))
+            .hint("after a few steps the polygon cannot be told from the limit"));
     }
     let plane = |point: &Point<Fraction>| -> Result<[Rational; 2]> {
         numbers(point, args.span(0))?.try_into().map_err(|list: Vec<Rational>| {

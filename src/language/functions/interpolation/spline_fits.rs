@@ -133,7 +133,8 @@ pub(crate) const TABLE: &[Builtin] = &[
             let (values, form) = values(args, 1)?;
             let lambda = args.scalar(2)?;
             if lambda.as_rational().is_some_and(|q| !q.is_positive()) {
-                let error = Diagnostic::error(Code::Domain, "the factor of the penalty is positive").at(args.span(2));
+                let error =
+                    Diagnostic::error(Code::Domain, "the factor of the penalty is positive").at(args.span(2));
                 return Err(error.hint("without a penalty it is cubic_spline(nodes, values)"));
             }
             let (Some(first), Some(last), true) = (nodes.first(), nodes.last(), nodes.len() > 1) else {
@@ -285,7 +286,8 @@ fn functions(args: &Arguments) -> Result<(Vec<(Symbol, Fraction)>, Form)> {
         list.map(|list| list.into_iter().map(|formula| (Symbol::new("t"), formula)).collect())
     };
     let list = Value::list(items.to_vec());
-    let with = |(t, formulas): (Symbol, Vec<Fraction>)| formulas.into_iter().map(|f| (t.clone(), f)).collect();
+    let with =
+        |(t, formulas): (Symbol, Vec<Fraction>)| formulas.into_iter().map(|f| (t.clone(), f)).collect();
     let found = curve_of(&list).at(args.span(0))?.map(with).or_else(constants);
     let found = found.ok_or_else(|| wrong_kind("a function or a list of them", value).at(args.span(0)))?;
     Ok((found, Form { scalar, rational: false }))

@@ -115,7 +115,11 @@ impl Poly {
     /// let touched = (&t - Poly::one()).pow(2).strict_positivity(None, None).unwrap_err();
     /// assert_eq!(touched.to_string(), "1");
     /// ```
-    pub fn strict_positivity(&self, a: Option<&Rational>, b: Option<&Rational>) -> Result<Positivity, RealRoot> {
+    pub fn strict_positivity(
+        &self,
+        a: Option<&Rational>,
+        b: Option<&Rational>,
+    ) -> Result<Positivity, RealRoot> {
         if let Some(point) = self.negative_point(a, b) {
             return Err(RealRoot::Rational(point));
         }
