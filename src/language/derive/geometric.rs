@@ -11,7 +11,8 @@ use crate::math::curve::{
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 
-/// The derivatives where the curves meet, and for j = 1, …, k the equation β_j F' = G^{(j)} − Σ_{i ≥ 2} B_{j,i} F^{(i)} with its solution, or why it has none.
+/// The derivatives where the curves meet, and for j = 1, …, k the vector G^{(j)} − Σ_{i ≥ 2} B_{j,i} F^{(i)}, which has
+/// to be β_j F', and β_j, or why there is none.
 ///
 /// Cost: that of [`geometric_continuity`], and of a β-matrix with symbols.
 ///
@@ -51,25 +52,25 @@ pub fn geometric_steps(
         let known: Vec<Rational> =
             report.betas[..j - 1].iter().cloned().chain([num_traits::Zero::zero()]).collect();
         let rest = &jets[1][j] - &transferred(&jets[0][..=j], &known)[j];
-        let mut terms = vec![Term { sign: Sign::Plus, expr: derivative(Expr::name("G"), j) }];
+        let of = |name: &str, order: usize, at: &Fraction| {
+            Expr::apply(derivative(Expr::name(name), order), vec![polynomial_expr(at)])
+        };
+        let mut terms = vec![Term { sign: Sign::Plus, expr: of("G", j, at[1]) }];
         for i in (2..=j).rev() {
             for (monomial, c) in matrix[(j, i)].numerator().terms(MonomialOrder::Lex) {
                 let factors =
                     monomial.iter().filter_map(|(symbol, e)| power(symbol_expr(symbol), *e as usize));
-                let factors = factors.chain([derivative(Expr::name("F"), i)]).collect();
+                let factors = factors.chain([of("F", i, at[0])]).collect();
                 terms.push(term(&Fraction::from(-c), factors));
             }
         }
-        let wanted = Expr::product(vec![symbol_expr(&beta(j)), derivative(Expr::name("F"), 1)]);
         let solved = report.betas.get(j - 1);
         let reason = match (&report.failure, solved) {
             (_, Some(_)) => Reason::BetaWanted(j),
             (Some(GeometricFailure::Opposite), None) => Reason::BetaNegative,
             _ => Reason::BetaMissing(j),
         };
-        // Without a solution β_j F' stands on no side: each line is true.
-        let wanted = solved.map(|_| wanted);
-        lines.push(line(chain(wanted.into_iter().chain([Expr::sum(terms), vector(&rest)])), reason));
+        lines.push(line(chain([Expr::sum(terms), vector(&rest)]), reason));
         if let Some(value) = solved {
             lines.push(line(chain([symbol_expr(&beta(j)), Expr::number(value)]), Reason::BetaFound(j)));
         }

@@ -7,10 +7,10 @@ use super::on_surface::partial_derivatives;
 use super::parameter::{CURVE, GRAPH, Parameter, named, optional, required};
 use super::roots;
 use super::{Builtin, by_pieces};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, wrong_kind};
-use crate::language::ops::geometry::{bezier, points_of};
+use crate::language::ops::geometry::{bezier, cross, points_of};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, in_letter};
 use crate::math::curve::{self, AreaError, BezierCurve, Interval, Point};
@@ -211,7 +211,7 @@ struct Fundamental {
 fn fundamental(args: &Arguments) -> Result<Fundamental> {
     let (jet, _) = partial_derivatives(args, 2)?;
     let (u, v) = (&jet[1][0], &jet[0][1]);
-    let normal = normal(u, v, args)?;
+    let normal = cross(u, v).at(args.span(0))?;
     let dot = |a: &[Fraction], b: &[Fraction]| {
         a.iter().zip(b).fold(Fraction::from(rational(0, 1)), |sum, (x, y)| sum.plus(&x.times(y)))
     };
@@ -219,18 +219,6 @@ fn fundamental(args: &Arguments) -> Result<Fundamental> {
     let second = [&jet[2][0], &jet[1][1], &jet[0][2]].map(|d| dot(d, &normal));
     let area = dot(&normal, &normal);
     Ok(Fundamental { first, second, area })
-}
-
-/// s_u × s_v
-pub(super) fn normal(u: &[Fraction], v: &[Fraction], args: &Arguments) -> Result<[Fraction; 3]> {
-    if u.len() != 3 {
-        let message = format!("a surface in space is needed, this one has {} coordinates", u.len());
-        return Err(Diagnostic::error(Code::Shape, message)
-            .at(args.span(0))
-            .hint("give points with three coordinates"));
-    }
-    let minor = |i: usize, j: usize| u[i].times(&v[j]).minus(&u[j].times(&v[i]));
-    Ok([minor(1, 2), minor(2, 0), minor(0, 1)])
 }
 
 fn flat(args: &Arguments) -> Diagnostic {

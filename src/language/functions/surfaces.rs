@@ -3,10 +3,9 @@
 use super::gives::Gives;
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::geometry::{bezier, spline};
+use crate::language::ops::geometry::{bezier, cross, spline};
 use std::sync::Arc;
 
-use super::measure::normal;
 use super::parameter::{GRAPH, HOMOGENEOUS, SURFACE, named, optional, required, size};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -256,7 +255,7 @@ fn edges(s: &SplineSurface<Fraction>, form: Form) -> Result<Vec<Value>, Diagnost
 /// The cross product of the partial derivatives of coordinates by formulas.
 fn normal_of_formulas(args: &Arguments) -> Evaluated {
     let (jet, form) = on_surface::partial_derivatives(args, 1)?;
-    Ok(form.plain(normal(&jet[1][0], &jet[0][1], args)?))
+    Ok(form.plain(cross(&jet[1][0], &jet[0][1]).at(args.span(0))?))
 }
 
 /// The normal of a patch at one point.

@@ -242,7 +242,7 @@ pub(super) fn reason(reason: &Reason) -> String {
         }
         Reason::DerivativesAtEnd => "`F` 终点处的导数".into(),
         Reason::DerivativesAtStart => "`G` 起点处的导数".into(),
-        Reason::BetaWanted(j) => format!("由链式法则，`G^{j}` 要求"),
+        Reason::BetaWanted(j) => format!("由链式法则，`G^{j}` 要求它等于 `beta_{j} F'`"),
         Reason::BetaFound(j) => format!("因此两曲线 `G^{j}` 连续"),
         Reason::BetaMissing(j) => format!("不是 `F'` 的倍数：两曲线不是 `G^{j}` 连续"),
         Reason::BetaNegative => "只能是 `F'` 的负倍数：切向相反，为尖点".into(),

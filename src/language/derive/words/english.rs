@@ -274,7 +274,7 @@ pub(super) fn reason(reason: &Reason) -> String {
         }
         Reason::DerivativesAtEnd => "the derivatives where `F` ends".into(),
         Reason::DerivativesAtStart => "the derivatives where `G` starts".into(),
-        Reason::BetaWanted(j) => format!("what `G^{j}` asks for, by the chain rule"),
+        Reason::BetaWanted(j) => format!("has to be `beta_{j} F'` for `G^{j}`, by the chain rule"),
         Reason::BetaFound(j) => format!("so the curves meet `G^{j}`"),
         Reason::BetaMissing(j) => format!("no multiple of `F'`: the curves do not meet `G^{j}`"),
         Reason::BetaNegative => "only a negative multiple of `F'`: the tangents are opposite, a cusp".into(),
