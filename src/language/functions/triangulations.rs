@@ -94,7 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 "edges=[a, b, c]",
                 Takes::Scalars,
                 "[1/2, 1/2, 1/2]",
-                "where p q, q r, r p are split: (1 - a) p + a q; neighbours meet C^1 on the line of their inner points",
+                "the ratios at which p q, q r, r p are split: (1 - a) p + a q",
             ),
         ],
         summary: "Powell and Sabin's element: six quadratic patches that meet C^1 around a point inside",
