@@ -541,3 +541,57 @@ fn signs_on_intervals() {
     }
     assert_true_in_notes("positivity", "", &derived(&[], "positivity((t - 1)^2 (t + 1), 0, 2)"));
 }
+
+/// Strict signs, signs of quotients and by a higher degree.
+#[test]
+fn strict_signs_on_intervals() {
+    for (formula, degree, ends) in
+        [("t^2 + 1", 2, ", 0, 1"), ("t^2 - t + 1/3", 2, ", 0, 1"), ("t^4 - t + 1", 4, ""), ("7", 0, "")]
+    {
+        let query = format!("positivity({formula}{ends}, strict=1, variable=t)");
+        let derivation = derived(&[], &query);
+        assert!(assert_true(&query, &polynomials(&[("F", formula, degree)]), &derivation) > 1, "{query}");
+    }
+    for (formula, ends) in [("(t - 1)^2", ", 0, 2"), ("t^2 - 2", ", 0, 2"), ("0", ", 0, 1"), ("t", ", 0, 1")]
+    {
+        let query = format!("positivity({formula}{ends}, strict=1, variable=t)");
+        let derivation = derived(&[], &query);
+        assert_true(&query, &polynomials(&[("F", formula, 0)]), &derivation);
+        let last = text(&derivation.lines[derivation.lines.len() - 1].formula);
+        assert!(last.contains("= -") || last.ends_with("= 0"), "{query}: {last}");
+    }
+    let query = "positivity(t^2 - t + 1/3, 0, 1, degree=5, strict=1)";
+    assert_true_in_notes(query, "", &derived(&[], query));
+}
+
+/// Each line is true in lecture notes.
+#[test]
+fn eliminations_and_curves() {
+    for query in [
+        "derive(sturm, t^3 - 3t + 1)",
+        "derive(sturm, (t - 1)^2 (t + 1), 0, 2)",
+        "derive(geometric_continuity, bezier([[0, 0], [1, 0], [2, 1]]), bezier([[2, 1], [4, 3], [5, 9]]), 1)",
+    ] {
+        let shown = derived(&[], query);
+        assert!(shown.lines.len() > 4, "{query}");
+        assert_true(query, &[], &shown);
+    }
+    for (query, last) in [
+        ("derive(resultant, x - t^2, y - t^3, t)", "det(M) = x^3 - y^2"),
+        ("derive(resultant, t^2 - 1, t - 1)", "det(M) = 0"),
+        (
+            "derive(hull, bezier([[0, 0], [1, 2], [2, 0]]), 1/3)",
+            "F(1/3) = 4/9 (0, 0) + 4/9 (1, 2) + 1/9 (2, 0) = (2/3, 8/9)",
+        ),
+        ("derive(curvature, [t, t^2], 0)", "kappa = 2"),
+        (
+            "derive(curvature, [t, t^2, t^3], t)",
+            "kappa^2 = (E S - D^2)/E^3 = (36 t^4 + 36 t^2 + 4)/(9 t^4 + 4 t^2 + 1)^3",
+        ),
+        ("derive(sturm, t^3 - t, 0, 2)", "1 - 0 = 1"),
+        ("derive(geometric_continuity, bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]), 1)", "beta_1 = 2"),
+    ] {
+        let shown = derived(&[], query);
+        assert_eq!(text(&shown.lines[shown.lines.len() - 1].formula), last, "{query}");
+    }
+}

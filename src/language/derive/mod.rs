@@ -18,7 +18,10 @@
 //! | C^k conditions | [`joining`] |
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
 //! | real roots in intervals of their own | [`roots()`] |
-//! | F ≥ 0 on an interval | [`positivity()`] |
+//! | F ≥ 0 or F > 0 on an interval | [`positivity()`], [`positivity_by_elevation`] |
+//! | Sturm's chain with its signs; Sylvester's determinant | [`sturm`]; [`resultant`] |
+//! | how two curves meet G^k | [`geometric_steps`] |
+//! | the hull property; a curvature | [`hull()`]; [`curvature()`] |
 //! | F ≥ 0 on a rectangle or triangle; a box or tetrahedron | [`positivity_over`] |
 //! | real roots by convex hulls | [`clipping()`] |
 //! | the β-matrix of G^k | [`connection_matrix`] |
@@ -34,6 +37,10 @@ mod calculus;
 mod clipping;
 mod combine;
 mod connection;
+mod curvature;
+mod elimination;
+mod geometric;
+mod hull;
 mod implicit;
 mod join;
 mod lines;
@@ -53,6 +60,10 @@ pub use calculus::{derivative, elevation, elevation_of_curve};
 pub use clipping::clipping;
 pub use combine::{Combination, combination};
 pub use connection::connection_matrix;
+pub use curvature::curvature;
+pub use elimination::{resultant, sturm};
+pub use geometric::geometric_steps;
+pub use hull::hull;
 pub use implicit::implicit;
 pub use join::joining;
 pub use matrices::{bernstein_matrix, power_matrix};
@@ -60,7 +71,7 @@ pub use moments::moments;
 pub use multirational::multirational_steps;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
-pub use positivity::{positivity, shows_negative_value};
+pub use positivity::{Claimed, positivity, positivity_by_elevation, shows_negative_value};
 pub use region::positivity_over;
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

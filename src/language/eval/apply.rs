@@ -514,7 +514,7 @@ impl Machine {
                         if value.as_rational().is_some() && function.takes_polynomial(place) {
                             self.parameter_has_value(item);
                         }
-                        let split = place == 0 && function.takes_coordinates();
+                        let split = function.takes_coordinates(place);
                         values.push(if split { self.in_coordinates(value) } else { value });
                     }
                 }

@@ -138,6 +138,13 @@ impl Machine {
         }
     }
 
+    /// What something gives, and the remarks made there, which are not told.
+    pub(crate) fn aside<T>(&mut self, ask: impl FnOnce(&mut Self) -> T) -> (T, Vec<Diagnostic>) {
+        let before = std::mem::take(&mut self.notes);
+        let value = ask(self);
+        (value, std::mem::replace(&mut self.notes, before))
+    }
+
     /// The value of an expression.
     ///
     /// # Errors

@@ -33,8 +33,8 @@ pub trait Callable {
     /// Whether unknowns of equations are expected there.
     fn takes_unknowns(&self, slot: Slot) -> bool;
 
-    /// Whether a function whose values are points is given as the list of its coordinates.
-    fn takes_coordinates(&self) -> bool;
+    /// Whether a function whose values are points is given there as the list of its coordinates.
+    fn takes_coordinates(&self, place: usize) -> bool;
 
     /// Whether an argument is given by this name.
     fn takes_name(&self, name: &str) -> bool;

@@ -7,12 +7,13 @@ use super::Builtin;
 use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
-use crate::language::ops::errors::{curve_error, polar_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, linalg_error, polar_error, wrong_kind};
 use crate::language::ops::formula::symbol_of;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Polar, PolarKind, Table, Value};
 use crate::math::blossom::{PolarForm, TotalDegreePolarForm, apolar_product, h_blossom, moebius, q_blossom};
 use crate::math::curve::{Point, affine};
+use crate::math::linalg::determinant;
 use crate::math::number::{Rational, multinomial, rational};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -134,7 +135,104 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| from_tetrahedral(args),
         ..NEW
     },
+    Builtin {
+        name: "tetrahedral_value",
+        parameters: &[TETRAHEDRAL, required("p", Takes::Point, "the point of space"), TETRAHEDRON],
+        summary: "the value of a polynomial with these Bézier points over a tetrahedron, by de Casteljau",
+        gives: Gives::Point,
+        example: "tetrahedral_value([1, 0, 0, 2], [1/4, 1/4, 1/4])",
+        call: |_, args| {
+            let levels = tetrahedral_levels(args)?;
+            let (value, _) = &levels[levels.len() - 1][0];
+            Ok(Value::Scalar(value.clone()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "subdivide_tetrahedron",
+        parameters: &[TETRAHEDRAL, required("p", Takes::Point, "the point of space"), TETRAHEDRON],
+        summary: "the Bézier points over the four tetrahedra of a point and the faces, corner by corner",
+        gives: Gives::List,
+        example: "subdivide_tetrahedron([1, 0, 0, 2], [1/4, 1/4, 1/4])",
+        call: |_, args| {
+            let levels = tetrahedral_levels(args)?;
+            let degree = levels.len() - 1;
+            // With p in place of corner m: b(p^e_m, the other corners) stands on level e_m.
+            let part = |m: usize| -> Option<Value> {
+                let point = |index: [usize; 4]| {
+                    let level = index[m];
+                    let mut own = index;
+                    own[m] = 0;
+                    levels[level]
+                        .iter()
+                        .find(|(_, at)| *at == own)
+                        .map(|(value, _)| Value::Scalar(value.clone()))
+                };
+                tetrahedral_indices(degree)
+                    .into_iter()
+                    .map(point)
+                    .collect::<Option<Vec<_>>>()
+                    .map(Value::list)
+            };
+            (0..4)
+                .map(part)
+                .collect::<Option<Vec<_>>>()
+                .map(Value::list)
+                .ok_or_else(|| Diagnostic::error(Code::Internal, "a point of the scheme is missing"))
+        },
+        ..NEW
+    },
 ];
+
+const TETRAHEDRAL: Parameter =
+    required("points", Takes::Scalars, "the Bézier points, i, then j, then k descending")
+        .shown("[b_d000, ..., b_000d]");
+
+/// (i, j, k, l) with the sum n, i, then j, then k descending.
+fn tetrahedral_indices(n: usize) -> Vec<[usize; 4]> {
+    let last = |i: usize, j: usize| move |k: usize| [i, j, k, n - i - j - k];
+    let middle = |i: usize| move |j: usize| (0..=n - i - j).rev().map(last(i, j));
+    (0..=n).rev().flat_map(|i| (0..=n - i).rev().flat_map(middle(i))).collect()
+}
+
+/// The degree for which there are so many Bézier points.
+fn tetrahedral_degree(args: &Arguments, count: usize) -> Result<usize> {
+    let degree = (0..=count).find(|n| (n + 1) * (n + 2) * (n + 3) / 6 >= count);
+    degree.filter(|n| (n + 1) * (n + 2) * (n + 3) / 6 == count).ok_or_else(|| {
+        let message = format!("{count} points form no tetrahedron: 1, 4, 10, 20, ... points do");
+        Diagnostic::error(Code::ControlPoints, message).at(args.span(0))
+    })
+}
+
+/// A level of de Casteljau's scheme, each point with its exponents.
+type Level = Vec<(Fraction, [usize; 4])>;
+
+/// All levels of de Casteljau's scheme: b_e^r = Σ_m λ_m b_{e + m}^{r−1} with the barycentric coordinates λ of the point. The polar values of
+/// level r have the point r times.
+fn tetrahedral_levels(args: &Arguments) -> Result<Vec<Level>> {
+    let points = args.scalars(0)?;
+    let degree = tetrahedral_degree(args, points.len())?;
+    let weights =
+        affine::barycentric(&corners(args)?, &args.point(1)?).map_err(curve_error).at(args.span(1))?;
+    let mut levels: Vec<Level> = vec![points.into_iter().zip(tetrahedral_indices(degree)).collect()];
+    for r in 1..=degree {
+        let last = &levels[r - 1];
+        crate::budget::charge_terms(last.len() as u64);
+        let places: std::collections::BTreeMap<[usize; 4], &Fraction> =
+            last.iter().map(|(value, index)| (*index, value)).collect();
+        let next = |index: [usize; 4]| {
+            let term = |m: usize| {
+                let mut own = index;
+                own[m] += 1;
+                weights[m].times(places[&own])
+            };
+            let value = (0..4).fold(Fraction::zero(), |sum, m| sum.plus(&term(m)));
+            (value, index)
+        };
+        levels.push(tetrahedral_indices(degree - r).into_iter().map(next).collect());
+    }
+    Ok(levels)
+}
 
 fn too_small(args: &Arguments, needed: usize) -> Diagnostic {
     let error = Diagnostic::error(
@@ -173,6 +271,12 @@ fn tetrahedron(args: &Arguments) -> Result<([Symbol; 3], Vec<Point<Fraction>>)> 
     let Value::List(items) = value else { return Err(wrong()) };
     let symbols: Option<Vec<Symbol>> = items.iter().map(symbol_of).collect();
     let symbols: [Symbol; 3] = symbols.and_then(|list| list.try_into().ok()).ok_or_else(wrong)?;
+    let corners = corners(args)?;
+    Ok((symbols, corners))
+}
+
+/// Four corners in space that do not lie in a plane.
+fn corners(args: &Arguments) -> Result<Vec<Point<Fraction>>> {
     let corners = match args.given(2) {
         None => {
             let unit = |k: usize| -> Point<Fraction> {
@@ -190,7 +294,15 @@ fn tetrahedron(args: &Arguments) -> Result<([Symbol; 3], Vec<Point<Fraction>>)> 
             points
         }
     };
-    Ok((symbols, corners))
+    let [first, rest @ ..] = corners.as_slice() else { return Ok(corners) };
+    let edges: Vec<Fraction> =
+        rest.iter().flat_map(|p| (0..3).map(|k| p[k].minus(&first[k])).collect::<Vec<_>>()).collect();
+    let volume = determinant(&nalgebra::DMatrix::from_row_slice(3, 3, &edges)).map_err(linalg_error)?;
+    if volume.is_zero() {
+        let error = Diagnostic::error(Code::Degenerate, "the corners of the tetrahedron lie in a plane");
+        return Err(error.at(args.span(2)).hint("choose corners in general position"));
+    }
+    Ok(corners)
 }
 
 fn tetrahedral_points(args: &Arguments) -> Evaluated {
@@ -232,29 +344,17 @@ fn tetrahedral_points(args: &Arguments) -> Evaluated {
 fn from_tetrahedral(args: &Arguments) -> Evaluated {
     let (symbols, corners) = tetrahedron(args)?;
     let points = args.scalars(0)?;
-    let count = points.len();
-    let degree = (0..=count).find(|n| (n + 1) * (n + 2) * (n + 3) / 6 >= count);
-    let degree = degree.filter(|n| (n + 1) * (n + 2) * (n + 3) / 6 == count).ok_or_else(|| {
-        let message = format!("{count} points form no tetrahedron: 1, 4, 10, 20, ... points do");
-        Diagnostic::error(Code::ControlPoints, message).at(args.span(0))
-    })?;
+    let degree = tetrahedral_degree(args, points.len())?;
     let at: Point<Fraction> = symbols.iter().map(|s| Fraction::from(MultiPoly::symbol(s.clone()))).collect();
     let weights = affine::barycentric(&corners, &at).map_err(curve_error).at(args.span(2))?;
     let mut sum = Fraction::zero();
-    let mut list = points.iter();
-    for i in (0..=degree).rev() {
-        for j in (0..=degree - i).rev() {
-            for k in (0..=degree - i - j).rev() {
-                let index = [i, j, k, degree - i - j - k];
-                let Some(point) = list.next() else { continue };
-                let scale = Rational::from_integer(multinomial(&index));
-                let factor = index
-                    .iter()
-                    .zip(&weights)
-                    .fold(Fraction::one(), |product, (e, w)| product.times(&w.powered(*e as u32)));
-                sum = sum.plus(&point.times(&factor).scaled(&scale));
-            }
-        }
+    for (index, point) in tetrahedral_indices(degree).into_iter().zip(&points) {
+        let scale = Rational::from_integer(multinomial(&index));
+        let factor = index
+            .iter()
+            .zip(&weights)
+            .fold(Fraction::one(), |product, (e, w)| product.times(&w.powered(*e as u32)));
+        sum = sum.plus(&point.times(&factor).scaled(&scale));
     }
     Ok(Value::Scalar(sum))
 }

@@ -177,8 +177,6 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("delta", "differences"),
     ("stiffness_matrix", "gram"),
     ("dual_bernstein", "dual_basis"),
-    ("smoothing_spline", "least_squares_spline"),
-    ("quasi_interpolant", "schoenberg"),
     ("subdivision", "subdivide_polygon"),
     ("chaikin", "subdivide_polygon"),
     ("corner_cutting", "subdivide_polygon"),
@@ -331,9 +329,18 @@ impl Callable for Builtin {
         }
     }
 
-    fn takes_coordinates(&self) -> bool {
-        let first = self.parameters.iter().find(|parameter| parameter.has_place());
-        first.is_none_or(|first| !matches!(first.kind, Takes::Any | Takes::Mapping | Takes::OneOf(_)))
+    fn takes_coordinates(&self, place: usize) -> bool {
+        if !self.subjects.is_empty() {
+            return place > 0;
+        }
+        let parameter = self.parameters.iter().filter(|parameter| parameter.has_place()).nth(place);
+        match parameter.map(|parameter| parameter.kind) {
+            None => place == 0,
+            Some(kind) => {
+                kind.is_of_curves()
+                    || place == 0 && !matches!(kind, Takes::Any | Takes::Mapping | Takes::OneOf(_))
+            }
+        }
     }
 
     fn takes_name(&self, name: &str) -> bool {

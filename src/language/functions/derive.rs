@@ -7,9 +7,11 @@ use std::sync::Arc;
 
 use super::Builtin;
 use super::blends::{BOUNDARY, coons};
+use super::differential::{self, derivatives, still};
 use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
-    CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional, required,
+    CURVE, DEGREE, LINE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional,
+    required,
 };
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
@@ -17,6 +19,7 @@ use super::rational_blossoms::{MULTIRATIONAL, function, multirational_error};
 use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::ops::formula::{coefficients_in, variable_of};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Derivation, Geometry, Polar, PolarKind, Value};
 use crate::math::blossom::PolarForm;
@@ -24,6 +27,7 @@ use crate::math::interpolate::{CubicSpline, DividedDifferences};
 use crate::math::interval::Interval;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Poly, Symbol};
+use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -212,6 +216,62 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "sturm",
+        parameters: &[
+            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            optional("a", Takes::Number, "below all roots", "the lower end, not counted"),
+            optional("b", Takes::Number, "above all roots", "the upper end, counted"),
+            VARIABLE,
+        ],
+        summary: "the number of real roots in (a, b] by the signs of Sturm's chain",
+        example: "derive(sturm, t^3 - 3t + 1, 0, 2)",
+        call: |_, args| {
+            let (f, variable, interval) = with_interval(args)?;
+            told(args, derive::sturm(&f, &variable, &interval))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "resultant",
+        parameters: &[
+            required("F", Takes::Scalar, "a polynomial"),
+            required("G", Takes::Scalar, "another one"),
+            optional("variable", Takes::Variable, "the only variable, or t", "the variable").shown("t"),
+        ],
+        summary: "the resultant as Sylvester's determinant",
+        example: "derive(resultant, x - t^2, y - t^3, t)",
+        call: |_, args| told(args, resultant(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "geometric_continuity",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            optional("k", Takes::Size, "2", "the order"),
+        ],
+        summary: "how two curves meet G^k, by the chain rule",
+        example: "derive(geometric_continuity, bezier([[0, 0], [1, 0], [2, 1]]), bezier([[2, 1], [4, 3], [5, 5]]), 2)",
+        call: |_, args| told(args, geometric_continuity(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "hull",
+        parameters: &[CURVE, required("t", Takes::Number, "a parameter in the interval of the curve")],
+        summary: "why a point of a curve lies in the convex hull of the control points",
+        example: "derive(hull, bezier([[0, 0], [1, 2], [2, 0]]), 1/3)",
+        call: |_, args| told(args, hull(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "curvature",
+        parameters: &[LINE, required("t", Takes::Scalar, "the parameter")],
+        summary: "the curvature by the first two derivatives",
+        example: "derive(curvature, [t, t^2], 1)",
+        call: |_, args| told(args, curvature(args)?),
+        ..NEW
+    },
+    Builtin {
         name: "connection_matrix",
         parameters: &[required("k", Takes::Size, "the order")],
         summary: "the beta-matrix of G^k, by the chain rule",
@@ -298,6 +358,73 @@ fn implicit(args: &Arguments) -> Result<Derivation> {
         let error = Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0));
         error.hint("a point has no single equation; give a curve")
     })
+}
+
+/// Two polynomials that are not 0.
+fn resultant(args: &Arguments) -> Result<Derivation> {
+    let (f, g) = (args.scalar(0)?, args.scalar(1)?);
+    let t = variable_of(&f.plus(&g), args.optional_symbol(2)?).at(args.span(0))?;
+    let polynomial = |i: usize, f: &Fraction| {
+        coefficients_in(f, &t).at(args.span(i))?;
+        match f.as_polynomial() {
+            Some(p) if !num_traits::Zero::is_zero(p) => Ok(p.clone()),
+            _ => Err(Diagnostic::error(
+                Code::Domain,
+                "a polynomial that is not 0 is needed, without denominators",
+            )
+            .at(args.span(i))
+            .hint("multiply by the denominator first")),
+        }
+    };
+    let (p, q) = (polynomial(0, &f)?, polynomial(1, &g)?);
+    derive::resultant(&p, &q, &t).ok_or_else(|| {
+        let error = Diagnostic::error(Code::Domain, "the resultant of 0 is 0").at(args.span(0));
+        error.hint("give two polynomials that are not 0")
+    })
+}
+
+/// Two polynomial curves with numbers.
+fn geometric_continuity(args: &Arguments) -> Result<Derivation> {
+    let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+    let form = super::joins::polynomial_pair(args, left, right)?;
+    let k = args.size(2)?;
+    crate::budget::charge_terms((k as u64).saturating_pow(3));
+    let numbers = |i: usize, curve| {
+        super::geometric::numeric(curve).ok_or_else(|| {
+            Diagnostic::error(Code::Type, "numbers are needed as control points")
+                .at(args.span(i))
+                .hint("geometric_continuity(c, d, k) has the conditions for symbols")
+        })
+    };
+    let (p, q) = (numbers(0, &f)?, numbers(1, &g)?);
+    derive::geometric_steps((&f, &g), (&p, &q), form, k).map_err(curve_error).at(args.span(1))
+}
+
+/// A point within the interval of a polynomial curve.
+fn hull(args: &Arguments) -> Result<Derivation> {
+    let (curve, form) = args.bezier(0)?;
+    let t = args.scalar(1)?;
+    if form.rational {
+        let error = Diagnostic::error(Code::NotPolynomial, "this curve is rational").at(args.span(0));
+        return Err(
+            error.hint("with positive weights it has the hull property, too: casteljau(c, t) shows means")
+        );
+    }
+    if curve.contains(&t) == Some(false) {
+        let (a, b) = curve.interval().ends();
+        let error =
+            Diagnostic::error(Code::OutsideDomain, format!("the interval of the curve is [{a}, {b}]"));
+        return Err(error.at(args.span(1)).hint("outside of it weights are negative"));
+    }
+    Ok(derive::hull(&curve, form, &t))
+}
+
+/// The curvature at a parameter, with its value where that is known.
+fn curvature(args: &Arguments) -> Result<Derivation> {
+    let (list, _) = derivatives(args, 2)?;
+    let value = differential::curvature(args).ok();
+    derive::curvature(&args.scalar(1)?, [&list[1], &list[2]], value.as_ref())
+        .map_err(|error| still(error, args))
 }
 
 /// The error for a word that names no derivation.
@@ -427,14 +554,21 @@ fn newton(args: &Arguments) -> Result<Derivation> {
     Ok(derive::newton(&table.map_err(Samples::failed(args))?, samples.form))
 }
 
-fn real_roots(args: &Arguments) -> Result<Derivation> {
+/// A polynomial that is not constant, and the interval in which its roots are looked for.
+fn with_interval(args: &Arguments) -> Result<(Poly, Symbol, Interval<Rational>)> {
     let (polynomial, variable) = super::roots::numeric(args, 0)?;
     if polynomial.degree().is_none_or(|n| n == 0) {
         return Err(Diagnostic::error(Code::Domain, "a constant has no roots to be found")
             .at(args.span(0))
             .hint("give a polynomial of degree 1 or more: derive(roots, t^2 - 2)"));
     }
-    Ok(derive::roots(&polynomial, &variable, &searched(args, &polynomial)?))
+    let interval = searched(args, &polynomial)?;
+    Ok((polynomial, variable, interval))
+}
+
+fn real_roots(args: &Arguments) -> Result<Derivation> {
+    let (polynomial, variable, interval) = with_interval(args)?;
+    Ok(derive::roots(&polynomial, &variable, &interval))
 }
 
 /// The interval in which roots are looked for.
@@ -451,13 +585,7 @@ fn searched(args: &Arguments, polynomial: &Poly) -> Result<Interval<Rational>> {
 }
 
 fn clipped(args: &Arguments) -> Result<Derivation> {
-    let (polynomial, variable) = super::roots::numeric(args, 0)?;
-    if polynomial.degree().is_none_or(|n| n == 0) {
-        return Err(Diagnostic::error(Code::Domain, "a constant has no roots to be found")
-            .at(args.span(0))
-            .hint("give a polynomial of degree 1 or more: derive(clipping, t^2 - 2)"));
-    }
-    let interval = searched(args, &polynomial)?;
+    let (polynomial, variable, interval) = with_interval(args)?;
     let width = super::roots::width(args)?.unwrap_or_else(|| crate::math::number::rational(1, 1000));
     Ok(derive::clipping(&polynomial, &variable, &interval, &width))
 }

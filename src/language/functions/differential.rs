@@ -2,19 +2,19 @@
 
 use super::Builtin;
 use super::gives::Gives;
-use super::parameter::{CURVE, Parameter, required};
+use super::parameter::{LINE, Parameter, required};
 use super::rational::rational_curve;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error};
-use crate::language::ops::formula::{is_parameter, variable_of};
+use crate::language::ops::formula::curve_of;
 use crate::language::ops::geometry::as_rational_spline;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
 use crate::math::curve::{self, CurveError, Vector};
-use crate::math::number::exact_root;
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Poly, Symbol};
 use crate::math::spline::RationalSpline;
 use num_traits::{Signed, Zero};
 
@@ -27,34 +27,16 @@ pub(super) const PARAMETER: Parameter = required("t", Takes::Scalar, "the parame
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "curvature",
-        parameters: &[CURVE, PARAMETER],
-        summary: "|c' x c''|/|c'|^3 where that is rational; in the plane positive in a left turn",
+        parameters: &[LINE, PARAMETER],
+        summary: "|c' x c''|/|c'|^3; in the plane positive in a left turn",
         gives: Gives::Scalar,
         example: "curvature([t, t^2], 0)",
-        call: |_, args| {
-            let (squared, turn) = squared_and_turn(args)?;
-            if squared.is_zero() {
-                return Ok(Value::Scalar(squared));
-            }
-            let root = squared.as_rational().and_then(|q| exact_root(&q, 2)).ok_or_else(|| {
-                let square = crate::language::write::text(&polynomial_expr(&squared));
-                Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
-                    .at(args.span(1))
-                    .hint("squared_curvature(c, t) is rational everywhere")
-            })?;
-            let Some(turn) = turn else { return Ok(Value::number(root)) };
-            let turn = turn.as_rational().ok_or_else(|| {
-                Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
-                    .at(args.span(1))
-                    .hint("squared_curvature(c, t) has none")
-            })?;
-            Ok(Value::number(if turn.is_negative() { -root } else { root }))
-        },
+        call: |_, args| curvature(args),
         ..NEW
     },
     Builtin {
         name: "squared_curvature",
-        parameters: &[CURVE, PARAMETER],
+        parameters: &[LINE, PARAMETER],
         summary: "the square of the curvature, which is rational: (|c'|^2 |c''|^2 - (c' c'')^2)/|c'|^6",
         gives: Gives::Scalar,
         example: "squared_curvature([t, t^2], t)",
@@ -63,7 +45,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "torsion",
-        parameters: &[CURVE, PARAMETER],
+        parameters: &[LINE, PARAMETER],
         summary: "det(c', c'', c''')/|c' x c''|^2 of a curve in space",
         gives: Gives::Scalar,
         example: "torsion([t, t^2, t^3], 0)",
@@ -76,6 +58,40 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+/// The curvature, in the plane with its sign.
+pub(super) fn curvature(args: &Arguments) -> Result<Value> {
+    let (squared, turn) = squared_and_turn(args)?;
+    if squared.is_zero() {
+        return Ok(Value::Scalar(squared));
+    }
+    let Some(number) = squared.as_rational() else {
+        let square = crate::language::write::text(&polynomial_expr(&squared));
+        return Err(Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
+            .at(args.span(1))
+            .hint("squared_curvature(c, t) is rational everywhere"));
+    };
+    // In space there is no sign.
+    let turns_right = match turn.map(|turn| turn.as_rational()) {
+        None => false,
+        Some(Some(turn)) => turn.is_negative(),
+        Some(None) => {
+            return Err(Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
+                .at(args.span(1))
+                .hint("squared_curvature(c, t) has none"));
+        }
+    };
+    Ok(square_root(&number, turns_right))
+}
+
+/// ±√q for q ≥ 0, rational or the root of a polynomial.
+fn square_root(q: &Rational, negative: bool) -> Value {
+    let letter = Symbol::new("x");
+    let square = Poly::variable().pow(2) - Poly::constant(q.clone());
+    let roots = square.real_roots(None, None).unwrap_or_default();
+    let end = if negative { roots.into_iter().next() } else { roots.into_iter().next_back() };
+    end.map_or_else(|| Value::int(0), |(root, _)| Value::root(root, &letter))
+}
+
 /// The value and the derivatives up to an order of the curve at the first place, at the parameter
 /// at the second. A list of formulas, [t, t^2], is a curve on the whole line.
 pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<Fraction>>, Form)> {
@@ -87,20 +103,19 @@ pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<
             let s = RationalSpline::from_homogeneous(as_rational_spline(&s, form));
             (s.and_then(|s| s.derivatives(&t, order)).map_err(spline_error).at(args.span(1))?, form)
         }
-        Value::List(items) => match coordinates(items) {
-            Some(coordinates) => {
+        value => match curve_of(value).at(args.span(0))? {
+            Some((variable, formulas)) => {
                 let at = |k: usize| -> Result<Vector<Fraction>> {
-                    let value = |(variable, formula): &(Symbol, Fraction)| {
-                        nth_derivative(formula, variable, k).substitute(&[(variable.clone(), t.clone())])
+                    let value = |formula: &Fraction| {
+                        nth_derivative(formula, &variable, k).substitute(&[(variable.clone(), t.clone())])
                     };
-                    let list = coordinates.iter().map(value).collect::<std::result::Result<Vec<_>, _>>();
+                    let list = formulas.iter().map(value).collect::<std::result::Result<Vec<_>, _>>();
                     Ok(list.map_err(|_| division_by_zero()).at(args.span(1))?.into())
                 };
                 ((0..=order).map(at).collect::<Result<_>>()?, Form::default())
             }
             None => of_bezier(args, &t, order)?,
         },
-        _ => of_bezier(args, &t, order)?,
     };
     Ok((list, Form { rational: false, ..form }))
 }
@@ -108,22 +123,6 @@ pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<
 fn of_bezier(args: &Arguments, t: &Fraction, order: usize) -> Result<(Vec<Vector<Fraction>>, Form)> {
     let list = rational_curve(args, 0)?.derivatives(t, order).map_err(curve_error).at(args.span(1))?;
     Ok((list, args.bezier(0)?.1))
-}
-
-/// The coordinates of a curve that is given by formulas, each with its variable. Numbers alone are
-/// control points.
-pub(super) fn coordinates(items: &[Value]) -> Option<Vec<(Symbol, Fraction)>> {
-    let of_function = |item: &Value| match item {
-        Value::Function(function) => function.as_formula().map(|(t, formula)| (t.clone(), formula.clone())),
-        _ => None,
-    };
-    if let Some(functions) = items.iter().map(of_function).collect() {
-        return Some(functions);
-    }
-    let formulas: Vec<&Fraction> = items.iter().map(Value::as_scalar).collect::<Option<_>>()?;
-    let first = formulas.iter().find(|formula| formula.variables().iter().any(is_parameter))?;
-    let variable = variable_of(first, None).ok()?;
-    Some(formulas.into_iter().map(|formula| (variable.clone(), formula.clone())).collect())
 }
 
 /// The square of the curvature, and in the plane det(c', c''), which has its sign.
@@ -134,7 +133,7 @@ fn squared_and_turn(args: &Arguments) -> Result<(Fraction, Option<Fraction>)> {
 }
 
 /// The error where a curve stands still or runs straight on.
-fn still(error: CurveError, args: &Arguments) -> Diagnostic {
+pub(super) fn still(error: CurveError, args: &Arguments) -> Diagnostic {
     match error {
         CurveError::Degenerate => {
             Diagnostic::error(Code::Degenerate, "the derivatives vanish there, or are parallel")

@@ -4,14 +4,16 @@ use super::gives::Gives;
 use std::sync::Arc;
 
 use super::Builtin;
+use super::by_pieces::{self, pieces_of};
 use super::parameter::{Parameter, named, optional, required};
 use super::rational::homogeneous_coordinates;
 use super::sections::{is_surface, letters_of_space, only_space, parametric_surface};
 use super::solve::system_error;
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::geometry::bezier;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Cell, Table, Value};
 use crate::math::curve::{self, MovingLine, PlaneCurve, SpaceCurve};
@@ -26,7 +28,7 @@ const NEW: Builtin = Builtin::about("Intersections");
 /// Points are left out for parameters of higher degree, unless they are asked for.
 const DEGREE_WITH_POINTS: usize = 12;
 
-const PLANE_CURVE: Parameter = required(
+pub(super) const PLANE_CURVE: Parameter = required(
     "curve",
     Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
     "a Bézier curve of the plane, or its coordinates as formulas",
@@ -62,6 +64,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Any,
         example: "intersections([t, t^2], x^2 + y^2 - 2)",
         call: intersections,
+        by_pieces: Some(by_pieces::rows),
         ..NEW
     },
     Builtin {
@@ -73,6 +76,11 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |machine, args| {
             let curve = plane_curve(args, 0)?;
             let found = curve.double_points().map_err(|error| twice(error, args))?;
+            if found.is_empty() {
+                let note =
+                    "no two real parameters have one point; isolated double points have complex parameters";
+                machine.note(Diagnostic::note(Code::NotReal, note).at(args.span(0)));
+            }
             let rows = found.into_iter().map(|pair| (pair.parameters.to_vec(), pair.degree));
             table(machine, args, ["s", "t"].as_slice(), &|t| curve.point(t).to_vec(), rows.collect())
         },
@@ -84,7 +92,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the parameters of a point of a plane curve; without a point the formula in x and y",
         gives: Gives::Any,
         example: "inversion([t^2, t^3])",
-        call: |_, args| inversion(args),
+        call: inversion,
         ..NEW
     },
     Builtin {
@@ -115,7 +123,7 @@ fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
     let coordinates = <[Poly; 3]>::try_from(coordinates).map_err(|list| {
         let message = format!("a curve of the plane is needed, this one has {} coordinates", list.len() - 1);
         let error = Diagnostic::error(Code::Shape, message).at(args.span(i));
-        error.hint("implicit(c) and intersections(c, d) take curves in space, too")
+        error.hint("implicit(c), inversion(c, p) and intersections(c, d) take curves in space, too")
     })?;
     Ok((coordinates, range))
 }
@@ -147,6 +155,22 @@ fn plane_curve(args: &Arguments, i: usize) -> Result<PlaneCurve> {
     let (coordinates, range) = numbers(args, i)?;
     PlaneCurve::new(coordinates, range)
         .ok_or_else(|| Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(i)))
+}
+
+/// The same of each piece of a spline, one after the other, and whether it is one.
+pub(super) fn plane_pieces(args: &Arguments, i: usize) -> Result<(Vec<PlaneCurve>, bool)> {
+    match pieces_of(args.value(i)?) {
+        None => Ok((vec![plane_curve(args, i)?], false)),
+        Some(pieces) => {
+            let (curves, form) = pieces.at(args.span(i))?;
+            let piece = |curve| {
+                let mut own = args.clone();
+                own.put(i, bezier(curve, form), args.span(i));
+                plane_curve(&own, i)
+            };
+            Ok((curves.into_iter().map(piece).collect::<Result<_>>()?, true))
+        }
+    }
 }
 
 fn single_point(args: &Arguments) -> Diagnostic {
@@ -315,7 +339,10 @@ fn table(
     Ok(Value::Table(Arc::new(result)))
 }
 
-fn inversion(args: &Arguments) -> Result<Value> {
+fn inversion(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    if homogeneous_coordinates(args, 0)?.0.len() > 3 && args.given(1).is_some() {
+        return inversion_in_space(machine, args);
+    }
     let (coordinates, range) = numbers(args, 0)?;
     let Some((_, span)) = args.given(1) else {
         let [x, y] = ["x", "y"].map(Symbol::new);
@@ -336,6 +363,34 @@ fn inversion(args: &Arguments) -> Result<Value> {
         Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(0))
     })?;
     let found = curve.parameters_of(&point).ok_or_else(|| single_point(args))?;
+    Ok(parameters(machine, args, found))
+}
+
+/// Parameters of a point; a remark where there is none.
+fn parameters(machine: &mut Machine, args: &Arguments, found: Vec<RealRoot>) -> Value {
+    if found.is_empty() {
+        let note =
+            "the point does not lie on the curve, or its parameter is not real or outside of the interval";
+        machine.note(Diagnostic::note(Code::OutsideDomain, note).at(args.span(1)));
+    }
     let t = Symbol::new("t");
-    Ok(Value::List(found.into_iter().map(|root| Value::root(root, &t)).collect()))
+    Value::List(found.into_iter().map(|root| Value::root(root, &t)).collect())
+}
+
+/// The parameters of a point in space: common roots of X − x W, Y − y W, Z − z W.
+fn inversion_in_space(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    let (coordinates, (lower, upper)) = homogeneous_numbers(args, 0)?;
+    let point = args.point(1)?;
+    let numbers: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
+    let dimension = coordinates.len() - 1;
+    let point = numbers.filter(|list| list.len() == dimension).ok_or_else(|| {
+        Diagnostic::error(Code::Shape, format!("a point with {dimension} numbers as coordinates is needed"))
+            .at(args.span(1))
+    })?;
+    let weight = &coordinates[dimension];
+    let differences = coordinates.iter().zip(&point).map(|(x, c)| x - &weight.scale(c));
+    let common = differences.reduce(|p, q| p.gcd(&q)).ok_or_else(|| single_point(args))?;
+    let found = common.real_roots(lower.as_ref(), upper.as_ref()).ok_or_else(|| single_point(args))?;
+    let finite = |(t, _): (RealRoot, usize)| (!t.sign_of(weight).is_eq()).then_some(t);
+    Ok(parameters(machine, args, found.into_iter().filter_map(finite).collect()))
 }

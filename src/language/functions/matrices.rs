@@ -148,12 +148,24 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "null_space",
-        parameters: &[MATRIX],
+        parameters: &[required(
+            "M",
+            Takes::OneOf(&[Takes::Matrix, Takes::Scalars]),
+            "the matrix; a list is a row",
+        )],
         summary: "a basis of the x with M x = 0, as columns",
         gives: Gives::Any,
         example: "null_space([1, 2; 2, 4])",
         call: |machine, args| {
-            let basis = linalg::null_space(&args.matrix(0)?);
+            let matrix = match args.value(0)? {
+                // A list is a row.
+                Value::List(items) if items.iter().all(|item| item.as_scalar().is_some()) => {
+                    let row = args.scalars(0)?;
+                    DMatrix::from_vec(1, row.len(), row)
+                }
+                _ => args.matrix(0)?,
+            };
+            let basis = linalg::null_space(&matrix);
             if basis.ncols() == 0 {
                 let note = "only x = 0 has M x = 0: the columns are independent";
                 machine.note(Diagnostic::note(Code::Singular, note).at(args.span(0)));
@@ -190,8 +202,13 @@ pub(super) const TABLE: &[Builtin] = &[
             if let Value::List(_) = args.value(1)? {
                 let column = args.scalars(1)?;
                 let right = DMatrix::from_vec(column.len(), 1, column);
-                let solution = linalg::solve(&matrix, &right).map_err(linalg_error)?;
-                return Ok(Value::List(solution.iter().cloned().map(Value::Scalar).collect()));
+                return match linalg::solve(&matrix, &right) {
+                    Ok(x) => Ok(Value::List(x.iter().cloned().map(Value::Scalar).collect())),
+                    Err(_) if matrix.nrows() == right.nrows() => {
+                        solve::of_any_rank(machine, args, &matrix, right.as_slice())
+                    }
+                    Err(error) => Err(linalg_error(error)),
+                };
             }
             linalg::solve(&matrix, &args.matrix(1)?).map(Value::Matrix).map_err(linalg_error)
         },

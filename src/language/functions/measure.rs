@@ -1,20 +1,21 @@
 //! Lengths, areas and centroids; inflections; curves with Pythagorean hodographs; curvatures of surfaces.
 
-use super::Builtin;
 use super::geometric::numeric;
 use super::gives::Gives;
+use super::intersections::{PLANE_CURVE, plane_pieces};
 use super::on_surface::partial_derivatives;
-use super::parameter::{CURVE, Parameter, SURFACE, named, optional, required};
+use super::parameter::{CURVE, GRAPH, Parameter, named, optional, required};
 use super::roots;
+use super::{Builtin, by_pieces};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, wrong_kind};
-use crate::language::ops::geometry::{bezier, points_of};
+use crate::language::ops::geometry::{bezier, cross, points_of};
 use crate::language::ops::takes::Takes;
-use crate::language::value::{Form, Geometry, Value, in_letter};
-use crate::math::curve::{self, BezierCurve, Interval, Point};
+use crate::language::value::{Form, Value, in_letter};
+use crate::math::curve::{self, AreaError, BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -31,7 +32,7 @@ const OUTLINE: Parameter = required(
 .shown("[p_0, ..., p_m]");
 
 const AT: [Parameter; 3] = [
-    SURFACE,
+    GRAPH,
     required("u", Takes::Scalar, "the first parameter"),
     required("v", Takes::Scalar, "the second parameter"),
 ];
@@ -83,6 +84,7 @@ pub(super) const TABLE: &[Builtin] = &[
             machine.note(Diagnostic::note(Code::Irrational, note).at(args.span(0)));
             Ok(Value::list(vec![Value::number(lower), Value::number(upper)]))
         },
+        by_pieces: Some(by_pieces::sum),
         ..NEW
     },
     Builtin {
@@ -117,16 +119,50 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "offset",
+        parameters: &[CURVE, required("d", Takes::Number, "the distance, positive to the left of a curve")],
+        summary: "the curve at distance d, of a plane curve with a Pythagorean hodograph: it is rational",
+        gives: Gives::Curve,
+        example: "offset(pythagorean_curve(1, t), 1)",
+        call: |_, args| {
+            let curve = numbers(args)?;
+            if curve.dimension() != 2 {
+                let message =
+                    format!("a curve of the plane is needed, this one has {} coordinates", curve.dimension());
+                let error = Diagnostic::error(Code::Shape, message).at(args.span(0));
+                return Err(error.hint("only plane curves have offsets to their left and right"));
+            }
+            let moved = curve::pythagorean_offset(&curve, &args.rational(1)?).ok_or_else(|| {
+                let error = Diagnostic::error(Code::Irrational, "the offset of this curve is not rational");
+                error
+                    .at(args.span(0))
+                    .reason("|c'|^2 is not the square of a polynomial that is not 0")
+                    .hint("pythagorean_curve(U, V) makes curves whose offsets are rational")
+            })?;
+            let point =
+                |p: &Point<Rational>| -> Point<Fraction> { p.iter().cloned().map(Fraction::from).collect() };
+            let (a, b) = moved.interval().ends();
+            let interval =
+                Interval::new(Fraction::from(a.clone()), Fraction::from(b.clone())).map_err(curve_error)?;
+            let moved = BezierCurve::new(moved.points().iter().map(point).collect(), interval)
+                .map_err(curve_error)?;
+            Ok(bezier(moved, Form { scalar: false, rational: true }))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "inflections",
-        parameters: &[CURVE],
+        parameters: &[PLANE_CURVE],
         summary: "the parameters at which the curvature of a plane curve changes its sign, exactly",
         gives: Gives::Scalars,
         example: "inflections(bezier([[0, 0], [1, 2], [2, -2], [3, 0]]))",
         call: |_, args| {
-            let found = curve::inflections(&numbers(args)?).map_err(curve_error).at(args.span(0))?;
+            let (pieces, _) = plane_pieces(args, 0)?;
             let letter = Symbol::new("t");
-            let list = found.ok_or_else(|| {
-                let error = Diagnostic::error(Code::Degenerate, "the curve is straight").at(args.span(0));
+            let list = curve::inflections(&pieces).map_err(|curve::Straight(i)| {
+                let which = if pieces.len() == 1 { "the curve".to_owned() } else { format!("piece {i}") };
+                let error =
+                    Diagnostic::error(Code::Degenerate, format!("{which} is straight")).at(args.span(0));
                 error.hint("its curvature is 0 everywhere")
             })?;
             Ok(Value::List(list.into_iter().map(|t| Value::root(t, &letter)).collect()))
@@ -175,21 +211,10 @@ struct Fundamental {
 fn fundamental(args: &Arguments) -> Result<Fundamental> {
     let (jet, _) = partial_derivatives(args, 2)?;
     let (u, v) = (&jet[1][0], &jet[0][1]);
-    if u.len() != 3 {
-        let message = format!("a surface in space is needed, this one has {} coordinates", u.len());
-        return Err(Diagnostic::error(Code::Shape, message)
-            .at(args.span(0))
-            .hint("give points with three coordinates"));
-    }
+    let normal = cross(u, v).at(args.span(0))?;
     let dot = |a: &[Fraction], b: &[Fraction]| {
         a.iter().zip(b).fold(Fraction::from(rational(0, 1)), |sum, (x, y)| sum.plus(&x.times(y)))
     };
-    let normal: Vec<Fraction> = (0..3)
-        .map(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            u[i].times(&v[j]).minus(&u[j].times(&v[i]))
-        })
-        .collect();
     let first = [dot(u, u), dot(u, v), dot(v, v)];
     let second = [&jet[2][0], &jet[1][1], &jet[0][2]].map(|d| dot(d, &normal));
     let area = dot(&normal, &normal);
@@ -227,26 +252,48 @@ fn moments(args: &Arguments) -> Result<[Fraction; 3]> {
     };
     let mut list = Vec::new();
     for item in curves {
-        let (pieces, form) = match &item {
-            Value::Geometry(geometry) => match &**geometry {
-                Geometry::Spline(s, form) => (s.bezier_pieces(), *form),
-                _ => {
-                    let (curve, form) = args.with_first(item.clone()).bezier(0).at(args.span(0))?;
-                    (vec![curve], form)
-                }
-            },
-            _ => return Err(wrong_kind("a curve", &item).at(args.span(0))),
-        };
-        for piece in pieces {
-            list.push(numbers(&args.with_first(bezier(piece, form)))?);
-        }
+        list.extend(plane_pieces(&args.with_first(item), 0)?.0);
     }
-    curve::green(&list).map(|sums| sums.map(Fraction::from)).map_err(curve_error).at(args.span(0))
+    let sums = curve::green(&list).map_err(|error| no_area(error, list.len(), args))?;
+    Ok(sums.map(Fraction::from))
+}
+
+/// Why a closed curve has no rational area.
+fn no_area(error: AreaError, count: usize, args: &Arguments) -> Diagnostic {
+    let which = |i: usize| if count == 1 { "the curve".to_owned() } else { format!("curve {}", i + 1) };
+    let told = |code: Code, message: String| Diagnostic::error(code, message).at(args.span(0));
+    match error {
+        AreaError::Endless(i) => told(Code::Domain, format!("{} has no ends", which(i)))
+            .hint("give it an interval: over([t, t^2], 0, 1), or control points"),
+        AreaError::Apart(i) if count == 1 => {
+            told(Code::Shape, format!("{} is not closed: it does not end where it starts", which(i)))
+                .hint("close it: area([c, bezier([q, p])]) with the segment from its end q to its start p")
+        }
+        AreaError::Apart(i) => {
+            let before = (i + count - 1) % count;
+            told(Code::Shape, format!("{} does not start where {} ends", which(i), which(before)))
+                .hint("give the curves in the order in which they are run through, and closed")
+        }
+        AreaError::Infinite(i) => told(Code::ZeroWeight, format!("{} goes through infinity", which(i)))
+            .hint("give a part of it with positive weights"),
+        AreaError::NotRational(i) => told(
+            Code::Irrational,
+            format!("the area below {} is no rational number", which(i)),
+        )
+        .reason("the antiderivative of (X Y' - Y X')/W^2 has logarithms or arcus tangents, as for circles")
+        .hint("area takes polynomial curves, and rational ones whose integral is rational"),
+    }
 }
 
 fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {
     let wrong = || wrong_kind("points of the plane or a closed curve", outline).at(args.span(0));
     let (points, _) = points_of(outline).ok_or_else(|| wrong().hint("area([[0, 0], [2, 0], [0, 3]])"))?;
+    if points.len() == 3 && points.iter().any(|p| p.len() == 1) {
+        let error = Diagnostic::error(Code::ControlPoints, "the points have no coordinates").at(args.span(0));
+        return Err(error
+            .reason("a symbol is a number here")
+            .hint("write points by their coordinates: area([[x_1, y_1], [x_2, y_2], [x_3, y_3]])"));
+    }
     if points.len() < 3 || points.iter().any(|p| p.len() != 2) {
         return Err(Diagnostic::error(
             Code::ControlPoints,
@@ -259,25 +306,25 @@ fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {
 }
 
 fn pythagorean(args: &Arguments) -> Evaluated {
-    let ((u, _), (v, _)) = (roots::numeric(args, 0)?, roots::numeric(args, 1)?);
+    let (u, v) = (args.univariate(0)?, args.univariate(1)?);
+    if u.coefficients.len() > 1 && v.coefficients.len() > 1 && u.variable != v.variable {
+        let message = format!("{} and {}: one variable is needed", u.variable, v.variable);
+        return Err(Diagnostic::error(Code::AmbiguousVariable, message)
+            .at(args.span(1))
+            .hint("use t in both"));
+    }
     let start = match args.given(2) {
-        None => [rational(0, 1), rational(0, 1)],
+        None => [0, 0].map(|x| Fraction::from(rational(x, 1))),
         Some((_, span)) => {
-            let point: Point<Fraction> = args.point(2)?;
-            let list: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
-            list.and_then(|list| list.try_into().ok()).ok_or_else(|| {
-                Diagnostic::error(Code::Shape, "a point with two numbers is needed")
-                    .at(span)
-                    .hint("such as [0, 0]")
+            let point: Vec<Fraction> = args.point(2)?.iter().cloned().collect();
+            point.try_into().map_err(|_| {
+                let error = Diagnostic::error(Code::Shape, "a point of the plane is needed").at(span);
+                error.hint("such as [0, 0]")
             })?
         }
     };
-    let coordinates = curve::pythagorean_curve(&u, &v, &start);
-    let degree = coordinates.iter().filter_map(|p| p.degree()).max().unwrap_or(0);
-    let power: Vec<Vec<Fraction>> = coordinates
-        .iter()
-        .map(|p| (0..=degree).map(|k| Fraction::from(p.coefficient(k))).collect())
-        .collect();
+    let (u, v) = (Coefficients::new(u.coefficients), Coefficients::new(v.coefficients));
+    let power = curve::pythagorean_curve(&u, &v, start).map(|p| p.to_vec());
     let curve = BezierCurve::from_power(&power, Interval::unit()).map_err(curve_error)?;
     Ok(bezier(curve, Form::default()))
 }

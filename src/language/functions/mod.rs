@@ -3,7 +3,9 @@
 mod arrange;
 mod blends;
 mod blossoms;
+mod by_pieces;
 mod callable;
+mod conversions;
 mod curves;
 mod derive;
 mod differential;

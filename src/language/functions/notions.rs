@@ -39,7 +39,7 @@ pub(crate) fn chosen<T: Copy>(given: Option<(&Value, Span)>, choices: &[(&str, T
     })
 }
 
-const BASES: [Way<Over<Basis<Fraction>>>; 9] = [
+const BASES: [Way<Over<Basis<Fraction>>>; 10] = [
     ("power", |n| n.is_empty().then_some(Ok(Basis::Power))),
     ("bernstein", |n| alone(n).map(Basis::Bernstein).map(Ok)),
     ("[bernstein, a, b]", |n| over(n).map(|interval| interval.map(Basis::Bernstein))),
@@ -48,6 +48,7 @@ const BASES: [Way<Over<Basis<Fraction>>>; 9] = [
     ("[newton, t_0, t_1, ...]", |n| Some(Ok(Basis::Newton(n.to_vec())))),
     ("hermite", |n| alone(n).map(Basis::HermiteEndpoints).map(Ok)),
     ("[hermite, a, b]", |n| over(n).map(|interval| interval.map(Basis::HermiteEndpoints))),
+    ("legendre", |n| alone(n).map(Basis::Legendre).map(Ok)),
     ("[legendre, a, b]", |n| over(n).map(|interval| interval.map(Basis::Legendre))),
 ];
 

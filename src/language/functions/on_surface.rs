@@ -11,6 +11,7 @@ use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::function;
 use crate::language::ops::takes::{Takes, word_of};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
@@ -161,7 +162,11 @@ pub(super) const DERIVATIVES_AT: Option<Variant> = Variant::new(
 pub(super) fn not_for(geometry: &Geometry, args: &Arguments) -> Diagnostic {
     Diagnostic::error(Code::Type, format!("this is not offered for {}", geometry.kind()))
         .at(args.span(0))
-        .hint("pieces(s) are the Bézier patches of a spline surface")
+        .hint(match geometry {
+            Geometry::Surface(..) => "pieces(s) are the Bézier patches of a spline surface",
+            Geometry::Triangle(..) => "it is for tensor-product patches: patch(net) makes one",
+            _ => "give a surface: patch(net) makes one",
+        })
 }
 
 fn tensor_polar(form: TensorPolarForm<Fraction>) -> Value {
@@ -426,8 +431,8 @@ type Jet = Vec<Vec<Vector<Fraction>>>;
 
 /// All partial derivatives of order at most k of a surface at (u, v), and how they are shown.
 pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
-    if let Value::List(_) = args.value(0)? {
-        return of_formulas(args, k);
+    if let Some(coordinates) = formulas_in_u_and_v(args.value(0)?) {
+        return of_formulas(args, &coordinates, k);
     }
     let geometry = args.geometry(0)?;
     let form = geometry.form();
@@ -449,13 +454,30 @@ pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Fo
             .map_err(spline_error),
         Geometry::Surface(s, _) => s.patch_at(&u, &v).map(|patch| polynomial(&patch)).map_err(spline_error),
         Geometry::Patch(patch, _) => Ok(polynomial(patch)),
+        Geometry::Triangle(patch, _) => {
+            let place = [u, v];
+            let at = |r: usize, s: usize| patch.partial_derivative(r, s).value(&place).map(|p| p.position());
+            let rows = (0..=k).map(|r| (0..=k - r).map(|s| at(r, s)).collect());
+            rows.collect::<Result<Jet, _>>().map_err(curve_error)
+        }
         other => return Err(not_for(other, args)),
     };
     Ok((jet.at(args.span(1))?, Form { rational: false, ..form }))
 }
 
+/// The coordinates of a surface that is given by formulas in u and v, or by functions of two variables.
+fn formulas_in_u_and_v(value: &Value) -> Option<Vec<Fraction>> {
+    let Value::List(items) = value else { return None };
+    let variables = ["u", "v"].map(Symbol::new);
+    let formula = |item: &Value| match item {
+        Value::Function(function) => function::formula_in(function, &variables),
+        other => other.as_scalar().cloned(),
+    };
+    items.iter().map(formula).collect()
+}
+
 /// The same of coordinates as formulas in u and v.
-fn of_formulas(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
+fn of_formulas(args: &Arguments, coordinates: &[Fraction], k: usize) -> Result<(Jet, Form), Diagnostic> {
     let [u, v] = ["u", "v"].map(Symbol::new);
     let place = [(u.clone(), args.scalar(1)?), (v.clone(), args.scalar(2)?)];
     let derivative = |r: usize, s: usize| -> Result<Vector<Fraction>, Diagnostic> {
@@ -464,7 +486,7 @@ fn of_formulas(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
             let slope = (0..s).fold((0..r).fold(f.clone(), |f, _| once(f, &u)), |f, _| once(f, &v));
             slope.substitute(&place)
         };
-        let list = args.scalars(0)?.iter().map(value).collect::<Result<Vec<_>, _>>();
+        let list = coordinates.iter().map(value).collect::<Result<Vec<_>, _>>();
         Ok(list.map_err(|_| division_by_zero()).at(args.span(1))?.into())
     };
     let row = |r: usize| (0..=k - r).map(|s| derivative(r, s)).collect();

@@ -141,11 +141,27 @@ pub(super) const fn size(name: &'static str, doc: &'static str) -> Parameter {
 /// A curve, called c in the form.
 pub(super) const CURVE: Parameter = required("curve", Takes::Curve, "the curve").shown("c");
 
+/// A curve, also by formulas on the whole line, called c in the form.
+pub(super) const LINE: Parameter = required(
+    "curve",
+    Takes::OneOf(&[Takes::Curve, Takes::Coordinates]),
+    "the curve, or its coordinates as formulas",
+)
+.shown("c");
+
 /// A spline, called s in the form.
 pub(super) const SPLINE: Parameter = required("spline", Takes::Spline, "the spline").shown("s");
 
 /// A surface, called s in the form.
 pub(super) const SURFACE: Parameter = required("surface", Takes::Surface, "the surface").shown("s");
+
+/// A surface, also by formulas, called s in the form.
+pub(super) const GRAPH: Parameter = required(
+    "surface",
+    Takes::OneOf(&[Takes::Surface, Takes::Coordinates]),
+    "the surface, or its coordinates as formulas in u and v",
+)
+.shown("s");
 
 /// The letter of the parameter, where formulas have several.
 pub(super) const VARIABLE: Parameter = named(

@@ -3,10 +3,10 @@
 use super::curves::interval;
 use super::differential::{PARAMETER, derivatives};
 use super::gives::Gives;
-use super::parameter::{CURVE, END, Parameter, START, named, required, size};
+use super::parameter::{CURVE, END, LINE, Parameter, START, named, required, size};
 use super::solve::system_error;
 use super::surfaces::{tensor, triangular};
-use super::{Builtin, on_surface};
+use super::{Builtin, by_pieces, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, wrong_kind};
@@ -119,6 +119,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Any,
         example: "implicit([t^2 - 1, t^3 - t])",
         call: |_, args| implicit(args),
+        by_pieces: Some(by_pieces::each),
         ..NEW
     },
     Builtin {
@@ -260,7 +261,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "derivatives_at",
-        parameters: &[CURVE, PARAMETER, size("k", "the highest order")],
+        parameters: &[LINE, PARAMETER, size("k", "the highest order")],
         summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
         gives: Gives::List,
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
@@ -344,6 +345,10 @@ fn revolve(args: &Arguments) -> Result<Value> {
             let [p, q]: [Point<Fraction>; 2] = points.ok_or_else(|| {
                 wrong_kind("two points of the axis", value).at(span).hint("axis=[[0, 0, 0], [1, 1, 0]]")
             })?;
+            if p == q {
+                let error = Diagnostic::error(Code::Degenerate, "the two points of the axis are the same");
+                return Err(error.at(span).hint("give two different points: axis=[[0, 0, 0], [0, 0, 1]]"));
+            }
             curves.iter().map(|curve| curve::revolve_about(curve, &p, &q)).collect()
         }
     };
@@ -391,10 +396,8 @@ type Homogeneous = (Vec<Vec<Fraction>>, Option<Interval<Fraction>>);
 
 /// Homogeneous coordinates by powers, of a Bézier curve or of coordinates as formulas; and its interval, if it has one.
 pub(super) fn homogeneous_coordinates(args: &Arguments, i: usize) -> Result<Homogeneous> {
-    if let Value::List(items) = args.value(i)?
-        && items.iter().all(|item| item.as_scalar().is_some())
-    {
-        return Ok((by_formulas(args, i)?, None));
+    if let Some((t, formulas)) = formula::curve_of(args.value(i)?).at(args.span(i))? {
+        return Ok((formula::over_one_weight(&formulas, &t).at(args.span(i))?, None));
     }
     let (curve, form) = args.bezier(i)?;
     let mut power = curve.power();
@@ -444,22 +447,4 @@ fn implicit(args: &Arguments) -> Result<Value> {
             Ok(Value::list(found.into_iter().map(|f| Value::Scalar(Fraction::from(f))).collect()))
         }
     }
-}
-
-/// Homogeneous coordinates of a curve that is given by a formula for each coordinate, over one denominator.
-fn by_formulas(args: &Arguments, i: usize) -> Result<Vec<Vec<Fraction>>> {
-    let formulas = args.scalars(i)?;
-    // A sum of all letters has the same ones, and none cancels.
-    let letters = formulas.iter().flat_map(Fraction::variables).map(MultiPoly::symbol);
-    let all = Fraction::from(letters.fold(MultiPoly::constant(integer(0)), |sum, x| sum.plus(&x)));
-    let t = formula::variable_of(&all, None).at(args.span(i))?;
-    let below = formulas.iter().fold(MultiPoly::constant(integer(1)), |product, f| {
-        // The least common multiple.
-        let common = product.gcd(f.denominator());
-        let rest = f.denominator().div_exact(&common).unwrap_or_else(|| f.denominator().clone());
-        product.times(&rest)
-    });
-    let weight = Fraction::from(below);
-    let scaled = formulas.iter().map(|f| f.times(&weight)).chain([weight.clone()]);
-    scaled.map(|f| formula::coefficients_in(&f, &t).at(args.span(i))).collect()
 }

@@ -1,9 +1,9 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
-use super::Builtin;
 use super::gives::Gives;
 use super::parameter::{Parameter, VARIABLE, named, optional, required};
 use super::told::{LANG, told};
+use super::{Builtin, by_pieces};
 use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::extremes::{self, Within};
@@ -56,6 +56,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::List,
         example: "roots((t - 1)^2 (t^2 - 2))",
         call: roots,
+        by_pieces: Some(by_pieces::roots),
         ..NEW
     },
     Builtin {
@@ -116,6 +117,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalar,
         example: "maximum(3t(1 - t)^2, 0, 1)",
         call: |machine, args| extreme(machine, args, true),
+        by_pieces: Some(by_pieces::largest),
         ..NEW
     },
     Builtin {
@@ -125,6 +127,7 @@ pub(super) const TABLE: &[Builtin] = &[
         gives: Gives::Scalar,
         example: "minimum(t^3 - t, 0, 1)",
         call: |machine, args| extreme(machine, args, false),
+        by_pieces: Some(by_pieces::smallest),
         ..NEW
     },
     Builtin {
@@ -146,16 +149,28 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "positivity",
-        parameters: &[POLYNOMIAL, LOWER, UPPER, VARIABLE],
+        parameters: &[
+            required(
+                "F",
+                Takes::Polynomial,
+                "a polynomial or quotient of polynomials, with numbers as coefficients",
+            ),
+            LOWER,
+            UPPER,
+            named("strict=1", Takes::Flag, "0", "whether F > 0 is to be shown"),
+            named(
+                "degree=n",
+                Takes::Size,
+                "that of F, on parts of the interval",
+                "the degree to which F is raised",
+            ),
+            VARIABLE,
+        ],
         common: &[LANG],
-        summary: "why F >= 0 on [a, b], by coefficients that anybody can check, or where F < 0",
+        summary: "why F >= 0 or F > 0 on [a, b], by coefficients that anybody can check, or where not",
         gives: Gives::Derivation,
         example: "positivity(t^2 - t + 1/3, 0, 1)",
-        call: |_, args| {
-            let (polynomial, variable) = numeric(args, 0)?;
-            let (a, b) = interval(args, 1)?;
-            told(args, derive::positivity(&polynomial, &variable, a.as_ref(), b.as_ref()))
-        },
+        call: |_, args| positivity(args),
         ..NEW
     },
     Builtin {
@@ -200,6 +215,72 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+fn positivity(args: &Arguments) -> Result<Value> {
+    let (a, b) = interval(args, 1)?;
+    let strict = args.flag("strict")?;
+    let (polynomial, variable, quotient) = match args.value(0)? {
+        Value::Scalar(formula) if formula.denominator().as_constant().is_none() => {
+            let (polynomial, variable) = with_its_sign(args, formula, [a.as_ref(), b.as_ref()])?;
+            (polynomial, variable, Some(formula.clone()))
+        }
+        _ => {
+            let (polynomial, variable) = numeric(args, 0)?;
+            (polynomial, variable, None)
+        }
+    };
+    let Some(n) = args.named_size("degree")? else {
+        let claimed = derive::Claimed { quotient, strict };
+        return told(args, derive::positivity(&polynomial, &variable, a.as_ref(), b.as_ref(), &claimed));
+    };
+    let span = args.named("degree").map_or_else(|| args.span(0), |(_, span)| span);
+    let ends = a.zip(b).and_then(|(a, b)| Interval::new(a, b).ok()).filter(|_| quotient.is_none());
+    let Some(ends) = ends else {
+        let error =
+            Diagnostic::error(Code::Domain, "a polynomial is raised over an interval [a, b]").at(span);
+        return Err(error.hint("positivity(t^2 - t + 1/3, 0, 1, degree=4)"));
+    };
+    if polynomial.degree().unwrap_or(0) > n {
+        let message = format!("the polynomial has degree {}", polynomial.degree().unwrap_or(0));
+        return Err(Diagnostic::error(Code::DegreeTooSmall, message).at(span));
+    }
+    crate::budget::charge_terms((n as u64).saturating_mul(n as u64));
+    let shown = derive::positivity_by_elevation(&polynomial, &variable, &ends, n, strict);
+    let shown = shown.ok_or_else(|| {
+        Diagnostic::error(
+            Code::Undecided,
+            format!("a coefficient of degree {n} is negative, which says nothing"),
+        )
+        .at(span)
+        .hint("without degree=n the interval is halved until the sign is known; or try a higher degree")
+    })?;
+    told(args, shown)
+}
+
+/// P Q for P/Q, which has the sign of the quotient where Q is not 0.
+fn with_its_sign(
+    args: &Arguments,
+    formula: &Fraction,
+    ends: [Option<&Rational>; 2],
+) -> Result<(Poly, Symbol)> {
+    let variable = formula::variable_of(formula, args.variable()?).at(args.span(0))?;
+    let of = |p: &MultiPoly| {
+        p.coefficients_in(&variable).iter().map(MultiPoly::as_constant).collect::<Option<Poly>>()
+    };
+    let (Some(p), Some(q)) = (of(formula.numerator()), of(formula.denominator())) else {
+        return Err(Diagnostic::error(Code::Type, "the signs of its values have to be known")
+            .at(args.span(0))
+            .hint("give the other symbols values first"));
+    };
+    if let Some((root, _)) = q.real_roots(ends[0], ends[1]).unwrap_or_default().into_iter().next() {
+        let place = crate::language::write::text(&Value::root(root, &variable).to_expr());
+        let message = format!("the denominator is 0 at {variable} = {place}");
+        return Err(Diagnostic::error(Code::Domain, message)
+            .at(args.span(0))
+            .hint("give an interval in which it is not 0"));
+    }
+    Ok((&p * &q, variable))
+}
 
 /// A formula as a polynomial in the variable times a fraction without it.
 fn over_constant(args: &Arguments, i: usize, variable: &Symbol) -> Result<(MultiPoly, Fraction)> {

@@ -95,6 +95,21 @@ pub(super) fn equal<'a>(
     solved(machine, args, &equations, &unknowns, single)
 }
 
+/// The solutions of A x = b, whatever the rank; those that are free have names of their own.
+pub(super) fn of_any_rank(
+    machine: &mut Machine,
+    args: &Arguments,
+    a: &DMatrix<Fraction>,
+    b: &[Fraction],
+) -> Result<Value> {
+    let taken: Vec<Symbol> = a.iter().chain(b).flat_map(Fraction::variables).collect();
+    let letters = ["x", "y", "z", "lambda"];
+    let letter = letters.into_iter().find(|letter| taken.iter().all(|symbol| symbol.base() != *letter));
+    let unknowns: Vec<Symbol> =
+        (1..=a.ncols()).map(|i| Symbol::indexed(letter.unwrap_or("xi"), i as i64)).collect();
+    by_elimination(machine, args, &unknowns, (a, b), false)
+}
+
 /// The values of the unknowns for which some polynomials are 0.
 fn solved(
     machine: &mut Machine,
@@ -113,7 +128,19 @@ fn solved(
         Some(system) => system,
         None => return in_several_unknowns(equations, unknowns).at(span),
     };
-    let found = solutions(&matrix, &right).map_err(linalg_error).at(span)?;
+    by_elimination(machine, args, unknowns, (&matrix, &right), single)
+}
+
+/// The solutions of a linear system for the unknowns.
+fn by_elimination(
+    machine: &mut Machine,
+    args: &Arguments,
+    unknowns: &[Symbol],
+    (matrix, right): (&DMatrix<Fraction>, &[Fraction]),
+    single: bool,
+) -> Result<Value> {
+    let span = args.span(0);
+    let found = solutions(matrix, right).map_err(linalg_error).at(span)?;
     if let Some(condition) = condition(&found.minor) {
         let note = format!("this holds where {condition}");
         machine.note(Diagnostic::note(Code::Singular, note).at(span));

@@ -373,14 +373,27 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "refine",
         parameters: &[
             SPLINE,
-            optional("knots", Takes::Scalars, "each knot interval halved", "the finer knots")
-                .shown("[t_0, ..., t_k]"),
+            optional(
+                "knots",
+                Takes::OneOf(&[Takes::Scalars, Takes::Size]),
+                "each knot interval halved",
+                "the finer knots, or how often the intervals are halved",
+            )
+            .shown("[t_0, ..., t_k]"),
         ],
         summary: "the same curve over finer knots (the Oslo algorithm), the outer ones as you like",
         gives: Gives::Spline,
         example: "refine(bspline(1, [0, 0, 2, 2], [1, 5]), [0, 0, 1, 2, 2])",
         call: |_, args| {
-            let (s, form) = args.spline(0)?;
+            let (mut s, form) = args.spline(0)?;
+            if args.given(1).is_some_and(|(value, _)| Takes::Size.accepts(value)) {
+                for _ in 0..args.size(1)? {
+                    crate::budget::charge_terms(2 * s.points().len() as u64);
+                    let finer = s.halved_knots();
+                    s = finer.and_then(|finer| s.refine(finer)).map_err(spline_error).at(args.span(1))?;
+                }
+                return Ok(spline(s, form));
+            }
             let finer = match args.given(1) {
                 Some(_) => KnotVector::new(s.degree(), args.scalars(1)?),
                 None => s.halved_knots(),

@@ -1,12 +1,12 @@
 //! Surfaces: tensor-product and triangular patches, spline surfaces.
 
 use super::gives::Gives;
-use crate::language::eval::Arguments;
+use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::geometry::{bezier, spline};
+use crate::language::ops::geometry::{bezier, cross, spline};
 use std::sync::Arc;
 
-use super::parameter::{HOMOGENEOUS, SURFACE, named, optional, required, size};
+use super::parameter::{GRAPH, HOMOGENEOUS, SURFACE, named, optional, required, size};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::takes::Takes;
@@ -147,7 +147,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "normal_at",
         parameters: &[
-            SURFACE,
+            GRAPH,
             required("u", Takes::Scalar, "the first parameter"),
             required("v", Takes::Scalar, "the second parameter"),
         ],
@@ -156,6 +156,9 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "normal_at(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
         call: |_, args| {
             let (u, v) = (args.scalar(1)?, args.scalar(2)?);
+            if let Value::List(_) = args.value(0)? {
+                return normal_of_formulas(args);
+            }
             let point = match &*args.geometry(0)? {
                 Geometry::Patch(patch, form) => patch_normal(patch, *form, &u, &v),
                 Geometry::Surface(s, form) => {
@@ -247,6 +250,12 @@ fn edges(s: &SplineSurface<Fraction>, form: Form) -> Result<Vec<Value>, Diagnost
         curve(u, &columns.net()[0])?,
         curve(u, &last(columns.net()))?,
     ])
+}
+
+/// The cross product of the partial derivatives of coordinates by formulas.
+fn normal_of_formulas(args: &Arguments) -> Evaluated {
+    let (jet, form) = on_surface::partial_derivatives(args, 1)?;
+    Ok(form.plain(cross(&jet[1][0], &jet[0][1]).at(args.span(0))?))
 }
 
 /// The normal of a patch at one point.

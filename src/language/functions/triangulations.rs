@@ -7,11 +7,13 @@ use super::surfaces::triangular;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::geometry::point_of;
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value};
-use crate::math::curve::{CornerData, Triangulation, clough_tocher, powell_sabin};
+use crate::math::curve::{CornerData, Point, Triangle, Triangulation, clough_tocher, powell_sabin};
 use crate::math::number::Rational;
 use crate::math::poly::Fraction;
+use num_traits::Signed;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -21,6 +23,9 @@ const CORNERS: Parameter = required("corners", Takes::Triangle, "the corners").s
 
 const DATA: Parameter =
     required("data", Takes::List, "value and gradient at each corner").shown("[[f, f_x, f_y], ...]");
+
+const SPLIT: Parameter =
+    named("split=[x, y]", Takes::Point, "the centroid", "the point inside at which the triangle is split");
 
 const HEIGHTS: Form = Form { scalar: true, rational: false };
 
@@ -54,8 +59,9 @@ pub(super) const TABLE: &[Builtin] = &[
                 "means of those at the ends",
                 "derivatives at the midpoints of p q, q r, r p, along the edge turned to the left",
             ),
+            SPLIT,
         ],
-        summary: "Clough and Tocher's element: three cubic patches that meet C^1 around the centroid",
+        summary: "Clough and Tocher's element: three cubic patches that meet C^1 around a point inside",
         gives: Gives::Surfaces,
         example: "clough_tocher([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
@@ -71,24 +77,66 @@ pub(super) const TABLE: &[Builtin] = &[
                     }
                 })?),
             };
-            let patches = clough_tocher(&triangle, &data, across.as_ref());
+            let split = split(args, &triangle)?;
+            let patches = clough_tocher(&triangle, &data, across.as_ref(), split.as_ref());
+            let patches = patches.map_err(curve_error).at(args.span(0))?;
             Ok(Value::list(patches.into_iter().map(|patch| triangular(patch, HEIGHTS)).collect()))
         },
         ..NEW
     },
     Builtin {
         name: "powell_sabin",
-        parameters: &[CORNERS, DATA],
-        summary: "Powell and Sabin's element: six quadratic patches that meet C^1 around the centroid",
+        parameters: &[
+            CORNERS,
+            DATA,
+            SPLIT,
+            named(
+                "edges=[a, b, c]",
+                Takes::Scalars,
+                "[1/2, 1/2, 1/2]",
+                "the ratios at which p q, q r, r p are split: (1 - a) p + a q",
+            ),
+        ],
+        summary: "Powell and Sabin's element: six quadratic patches that meet C^1 around a point inside",
         gives: Gives::Surfaces,
         example: "powell_sabin([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
-            let patches = powell_sabin(&args.triangle(0)?, &data(args)?);
+            let triangle = args.triangle(0)?;
+            let split = split(args, &triangle)?;
+            let edges = edges(args)?;
+            let patches = powell_sabin(&triangle, &data(args)?, split.as_ref(), edges.as_ref());
+            let patches = patches.map_err(curve_error).at(args.span(0))?;
             Ok(Value::list(patches.into_iter().map(|patch| triangular(patch, HEIGHTS)).collect()))
         },
         ..NEW
     },
 ];
+
+/// The point at which the triangle is split, which lies inside.
+fn split(args: &Arguments, triangle: &Triangle<Fraction>) -> Result<Option<Point<Fraction>>> {
+    let Some((value, span)) = args.named("split") else { return Ok(None) };
+    let point = point_of(value).map(|(point, _)| point).filter(|point| point.len() == 2);
+    let point = point.ok_or_else(|| wrong_kind("a point of the plane", value).at(span))?;
+    let inside = triangle.barycentric(&point).map_err(curve_error).at(span)?;
+    if inside.iter().filter_map(Fraction::as_rational).any(|weight| !weight.is_positive()) {
+        let error = Diagnostic::error(Code::Domain, "the point does not lie inside of the triangle").at(span);
+        return Err(error.hint("all its barycentric coordinates have to be positive"));
+    }
+    Ok(Some(point))
+}
+
+/// Three ratios between 0 and 1.
+fn edges(args: &Arguments) -> Result<Option<[Fraction; 3]>> {
+    let Some(list) = args.named_scalars("edges")? else { return Ok(None) };
+    let span = args.named("edges").map_or_else(|| args.span(0), |(_, span)| span);
+    let between = |x: &Rational| x.is_positive() && *x < Rational::from_integer(1.into());
+    match <[Fraction; 3]>::try_from(list) {
+        Ok(list) if list.iter().filter_map(Fraction::as_rational).all(|x| between(&x)) => Ok(Some(list)),
+        _ => Err(Diagnostic::error(Code::Domain, "three ratios between 0 and 1 are needed")
+            .at(span)
+            .hint("edges=[1/2, 1/2, 1/2] are the midpoints")),
+    }
+}
 
 /// Three times value and gradient.
 fn data(args: &Arguments) -> Result<[CornerData<Fraction>; 3]> {

@@ -6,7 +6,8 @@ use crate::language::lexicon::roles;
 use crate::language::value::{Function, Polar, PolarKind, Value};
 use crate::math::blossom::PolarForm;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
-use crate::math::ring::Field;
+use crate::math::ring::{Field, Ring};
+use num_traits::One;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -121,4 +122,54 @@ pub(crate) fn coefficients_in(formula: &Fraction, variable: &Symbol) -> Result<V
     let list = formula.numerator().coefficients_in(variable);
     let inverse = denominator.inverse().ok_or_else(division_by_zero)?;
     Ok(list.into_iter().map(|c| Fraction::from(c) * inverse.clone()).collect())
+}
+
+/// The variable and the coordinates of a curve that is given by them, [t, t^2], as formulas or as functions; `None` for
+/// anything else, such as numbers alone, which are control points.
+///
+/// # Errors
+/// Several letters may be the parameter.
+pub(crate) fn curve_of(value: &Value) -> Result<Option<(Symbol, Vec<Fraction>)>> {
+    let Value::List(items) = value else { return Ok(None) };
+    if items.is_empty() {
+        return Ok(None);
+    }
+    let functions: Option<Vec<(&Symbol, &Fraction)>> = items
+        .iter()
+        .map(|item| match item {
+            Value::Function(function) => function.as_formula(),
+            _ => None,
+        })
+        .collect();
+    if let Some(functions) = functions {
+        let variable = functions[0].0;
+        let own = Fraction::from(MultiPoly::symbol(variable.clone()));
+        let renamed = |(t, formula): &(&Symbol, &Fraction)| match *t == variable {
+            true => Ok((*formula).clone()),
+            false => formula.substitute(&[((*t).clone(), own.clone())]).map_err(|_| division_by_zero()),
+        };
+        return Ok(Some((variable.clone(), functions.iter().map(renamed).collect::<Result<_>>()?)));
+    }
+    let formulas: Option<Vec<&Fraction>> = items.iter().map(Value::as_scalar).collect();
+    let Some(formulas) = formulas else { return Ok(None) };
+    if !formulas.iter().any(|formula| formula.variables().iter().any(is_parameter)) {
+        return Ok(None);
+    }
+    // A sum of all letters has the same ones, and none cancels.
+    let letters = formulas.iter().flat_map(|formula| formula.variables()).map(MultiPoly::symbol);
+    let all = letters.fold(MultiPoly::zero(), |sum, x| sum + x);
+    let variable = variable_of(&Fraction::from(all), None)?;
+    Ok(Some((variable, formulas.into_iter().cloned().collect())))
+}
+
+/// Formulas over their least common denominator, which comes last, each by powers of a variable.
+pub(crate) fn over_one_weight(formulas: &[Fraction], variable: &Symbol) -> Result<Vec<Vec<Fraction>>> {
+    let below = formulas.iter().fold(MultiPoly::one(), |product, f| {
+        let common = product.gcd(f.denominator());
+        let rest = f.denominator().div_exact(&common).unwrap_or_else(|| f.denominator().clone());
+        product.times(&rest)
+    });
+    let weight = Fraction::from(below);
+    let scaled = formulas.iter().map(|f| f.times(&weight)).chain([weight.clone()]);
+    scaled.map(|f| coefficients_in(&f, variable)).collect()
 }

@@ -275,6 +275,16 @@ fn form_of_sum(left: Form, right: Form) -> Result<Form> {
     Ok(Form { scalar: left.scalar && right.scalar, rational: false })
 }
 
+/// The cross product of the partial derivatives of a surface.
+pub(crate) fn cross(u: &[Fraction], v: &[Fraction]) -> Result<[Fraction; 3]> {
+    if u.len() != 3 {
+        let message = format!("a surface in space is needed, this one has {} coordinates", u.len());
+        return Err(Diagnostic::error(Code::Shape, message).hint("give points with three coordinates"));
+    }
+    let minor = |i: usize, j: usize| u[i].times(&v[j]).minus(&u[j].times(&v[i]));
+    Ok([minor(1, 2), minor(2, 0), minor(0, 1)])
+}
+
 /// A curve scaled from the origin.
 pub(crate) fn scale(factor: &Fraction, c: &Geometry) -> Result<Value> {
     let form = c.form();

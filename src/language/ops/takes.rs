@@ -183,6 +183,15 @@ impl Takes {
         matches!(self, Takes::Scalar | Takes::Formula | Takes::Polynomial | Takes::Function)
     }
 
+    /// Whether a curve may be given, also by its coordinates.
+    pub(crate) fn is_of_curves(self) -> bool {
+        match self {
+            Takes::Curve | Takes::Coordinates => true,
+            Takes::OneOf(kinds) => kinds.iter().any(|kind| kind.is_of_curves()),
+            _ => false,
+        }
+    }
+
     /// What is expected, in words.
     pub fn description(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {

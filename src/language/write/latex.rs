@@ -6,6 +6,7 @@ use super::decimal;
 use super::marks::Marks;
 use super::names;
 use super::plain::without_brackets;
+use super::radicals::with_radicals;
 use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, walk};
 use crate::formula::{
@@ -18,7 +19,7 @@ use crate::language::lexicon::relations;
 ///
 /// Parentheses grow (`\left( … \right)`) only around what is taller than a line. Between a name
 /// and a parenthesis a product has a `\cdot`, since `c(t + 1)` could be a value of c, and between 3 and 1/2,
-/// which could be a mixed number. Pieces that could not be read are printed as they were written.
+/// which could be a mixed number. Roots of quadratic polynomials are written by radicals. Pieces that could not be read are printed as they were written.
 ///
 /// Cost: linear in the size of the tree.
 ///
@@ -38,6 +39,8 @@ pub fn latex(expr: &Expr) -> String {
 /// # Errors
 /// Those of `out`.
 pub fn write_latex(out: &mut dyn fmt::Write, expr: &Expr) -> fmt::Result {
+    let shown = with_radicals(expr);
+    let expr = shown.as_ref().unwrap_or(expr);
     walk(&Latex { tall: Marks::outside_scripts(expr, is_tall) }, expr, Precedence::Sequence, out)
 }
 

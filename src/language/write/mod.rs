@@ -35,6 +35,7 @@ mod lines;
 mod marks;
 mod names;
 mod plain;
+mod radicals;
 mod ruler;
 mod shape;
 mod sympy;

@@ -33,7 +33,7 @@ use crate::math::interval::EmptyInterval;
 use crate::math::spline::SplineError;
 
 pub use fit::{Smoothing, averaged_knots, fitted_spline, interpolating_spline};
-pub use functional::{de_boor_fix, schoenberg};
+pub use functional::{de_boor_fix, quasi_interpolant, schoenberg};
 pub use gram::{bernstein_gram, dual_bernstein, energy, spline_energy, spline_gram};
 pub use reduction::best_reduction;
 

@@ -51,6 +51,16 @@ impl PlaneCurve {
         (!w.is_zero()).then_some(PlaneCurve { coordinates: [x, y, w], range })
     }
 
+    /// X, Y and W, without a common factor.
+    pub fn coordinates(&self) -> &[Poly; 3] {
+        &self.coordinates
+    }
+
+    /// Where the parameter runs; an end that is `None` is none.
+    pub fn range(&self) -> &Bounds {
+        &self.range
+    }
+
     /// The point of a parameter, of which W is not 0. Cost: [`image`], twice.
     pub fn point(&self, t: &RealRoot) -> [RealRoot; 2] {
         let [x, y, w] = &self.coordinates;

@@ -19,8 +19,10 @@ pub(crate) mod display;
 mod domain;
 mod edge;
 mod geometric;
+mod green;
 mod hull;
 mod implicit;
+mod inflection;
 mod integers;
 mod intersect;
 mod join;
@@ -59,11 +61,13 @@ pub use edge::EdgeEquation;
 pub use geometric::{
     GeometricContinuity, GeometricFailure, beta_matrix, geometric_continuity, jet, transferred,
 };
+pub use green::{AreaError, green};
 pub use hull::convex_hull;
 pub use implicit::{bezout_matrix, implicit_equation};
+pub use inflection::{Straight, inflections};
 pub use intersect::{Meeting, PlaneCurve};
 pub use join::{Continuity, JoiningCondition, continuity_at, joining_conditions};
-pub use length::{arc_length, green, inflections, polygon_moments, pythagorean_curve, speed};
+pub use length::{arc_length, polygon_moments, pythagorean_curve, pythagorean_offset, speed};
 pub use moving::{MovingLine, inversion_formula, moving_lines};
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};

@@ -180,7 +180,7 @@ fn corners_of<C: Field>(triangle: &Triangle<C>) -> [Point<C>; 3] {
     triangle.corners().clone()
 }
 
-/// The element of Clough and Tocher, split at the centroid: a cubic patch over (p_i, p_{i+1}, s) for each edge. `across` has the derivatives at the
+/// The element of Clough and Tocher, split at a point s inside, or at the centroid: a cubic patch over (p_i, p_{i+1}, s) for each edge. `across` has the derivatives at the
 /// midpoints of the edges in the direction of p_{i+1} − p_i turned to the left; where it is `None` they are the means of those at the ends.
 ///
 /// ```
@@ -189,7 +189,8 @@ fn corners_of<C: Field>(triangle: &Triangle<C>) -> [Point<C>; 3] {
 /// // x² y
 /// let at = |x: i64, y: i64| CornerData { value: z(x * x * y), gradient: [z(2 * x * y), z(x * x)] };
 /// let across = [q(1, 4), q(-3, 4), q(0, 1)]; // y-derivative at (1/2, 0); −f_x − f_y at (1/2, 1/2); f_x at (0, 1/2)
-/// let patches = clough_tocher(&Triangle::new([[0, 0], [1, 0], [0, 1]].map(|p| p.map(z).to_vec()))?, &[at(0, 0), at(1, 0), at(0, 1)], Some(&across));
+/// let triangle = Triangle::new([[0, 0], [1, 0], [0, 1]].map(|p| p.map(z).to_vec()))?;
+/// let patches = clough_tocher(&triangle, &[at(0, 0), at(1, 0), at(0, 1)], Some(&across), None)?;
 /// assert_eq!(patches[0].value(&[q(1, 3), q(1, 6)])?, [q(1, 54)]);
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
@@ -197,11 +198,16 @@ pub fn clough_tocher<C: Field>(
     triangle: &Triangle<C>,
     data: &[CornerData<C>; 3],
     across: Option<&[C; 3]>,
-) -> [TrianglePatch<C>; 3] {
+    split: Option<&Point<C>>,
+) -> Result<[TrianglePatch<C>; 3], CurveError> {
     let p = corners_of(triangle);
     let third = rational(1, 3);
-    let s: Point<C> =
-        (0..2).map(|k| p.iter().fold(C::zero(), |sum, x| sum.plus(&x[k])).scaled(&third)).collect();
+    let s = split.cloned().unwrap_or_else(|| centroid(&p));
+    let lambda = triangle.barycentric(&s)?;
+    for i in 0..3 {
+        // On an edge one of the small triangles has no area.
+        Triangle::new([p[i].clone(), p[(i + 1) % 3].clone(), s.clone()])?;
+    }
     let edge = |i: usize| {
         let (a, b) = (&p[i], &p[(i + 1) % 3]);
         let (f, g) = (&data[i], &data[(i + 1) % 3]);
@@ -214,7 +220,7 @@ pub fn clough_tocher<C: Field>(
         let near = [f.value.clone(), f.towards(a, b, 3), g.towards(b, a, 3), g.value.clone()];
         let inner = [f.towards(a, &s, 3), g.towards(b, &s, 3)];
         // The normal as α a + β b + γ s with sum 0; D F(m) = 3 f(m, m, ν).
-        let small = Triangle::new([a.clone(), b.clone(), s.clone()]).expect("the centroid lies inside");
+        let small = Triangle::new([a.clone(), b.clone(), s.clone()]).expect("the point is on no edge");
         let [alpha, beta, gamma] = small
             .coordinates(&crate::math::blossom::Argument::Vector(normal.to_vec()))
             .expect("a vector of the plane");
@@ -231,13 +237,14 @@ pub fn clough_tocher<C: Field>(
         (near, inner, middle)
     };
     let edges = [edge(0), edge(1), edge(2)];
-    // f(p_i, s, s) by s = Σ p_j/3, and f(s, s, s).
+    // f(p_i, s, s) by s = Σ λ_j p_j, and f(s, s, s).
     let spoke: [C; 3] = std::array::from_fn(|i| {
-        let own = data[i].towards(&p[i], &s, 3);
-        own.plus(&edges[i].2).plus(&edges[(i + 2) % 3].2).scaled(&third)
+        let (next, before) = ((i + 1) % 3, (i + 2) % 3);
+        let own = data[i].towards(&p[i], &s, 3).times(&lambda[i]);
+        own.plus(&edges[i].2.times(&lambda[next])).plus(&edges[before].2.times(&lambda[before]))
     });
-    let top = spoke.iter().fold(C::zero(), |sum, x| sum.plus(x)).scaled(&third);
-    std::array::from_fn(|i| {
+    let top = spoke.iter().zip(&lambda).fold(C::zero(), |sum, (x, l)| sum.plus(&x.times(l)));
+    Ok(std::array::from_fn(|i| {
         let j = (i + 1) % 3;
         let (near, inner, middle) = &edges[i];
         // In the order of indices: 300, 210, 201, 120, 111, 102, 030, 021, 012, 003.
@@ -245,47 +252,65 @@ pub fn clough_tocher<C: Field>(
             &near[0], &near[1], &inner[0], &near[2], middle, &spoke[i], &near[3], &inner[1], &spoke[j], &top,
         ];
         let points = list.iter().map(|x| vec![(*x).clone()]).collect();
-        let small = Triangle::new([p[i].clone(), p[j].clone(), s.clone()]).expect("the centroid lies inside");
+        let small = Triangle::new([p[i].clone(), p[j].clone(), s.clone()]).expect("the point is on no edge");
         TrianglePatch::new(points, small).expect("ten points are a cubic patch")
-    })
+    }))
 }
 
-/// The element of Powell and Sabin with the centroid and the midpoints of the edges: quadratic patches over (p_i, e_i, z) and (e_i, p_{i+1}, z) for
-/// each edge.
+/// The mean of the corners.
+fn centroid<C: Field>(p: &[Point<C>; 3]) -> Point<C> {
+    let third = rational(1, 3);
+    (0..2).map(|k| p.iter().fold(C::zero(), |sum, x| sum.plus(&x[k])).scaled(&third)).collect()
+}
+
+/// The element of Powell and Sabin, split at a point z inside, or at the centroid, and at e_i = (1 − t_i) p_i + t_i p_{i+1} on the edges, or at their
+/// midpoints: quadratic patches over (p_i, e_i, z) and (e_i, p_{i+1}, z) for each edge. Elements of two neighbours meet C^1 if e_i lies on the line
+/// between their inner points.
+///
+/// # Errors
+/// [`CurveError::Degenerate`] for points on other edges, where parts have no area.
 ///
 /// ```
 /// use polarform::curve::{CornerData, Triangle, powell_sabin};
 /// use polarform::number::{integer as z, rational as q};
 /// // x y
 /// let at = |x: i64, y: i64| CornerData { value: z(x * y), gradient: [z(y), z(x)] };
-/// let patches = powell_sabin(&Triangle::new([[0, 0], [1, 0], [0, 1]].map(|p| p.map(z).to_vec()))?, &[at(0, 0), at(1, 0), at(0, 1)]);
+/// let triangle = Triangle::new([[0, 0], [1, 0], [0, 1]].map(|p| p.map(z).to_vec()))?;
+/// let patches = powell_sabin(&triangle, &[at(0, 0), at(1, 0), at(0, 1)], None, None)?;
 /// assert_eq!(patches[0].value(&[q(1, 3), q(1, 6)])?, [q(1, 18)]);
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
-pub fn powell_sabin<C: Field>(triangle: &Triangle<C>, data: &[CornerData<C>; 3]) -> Vec<TrianglePatch<C>> {
+pub fn powell_sabin<C: Field>(
+    triangle: &Triangle<C>,
+    data: &[CornerData<C>; 3],
+    split: Option<&Point<C>>,
+    edges: Option<&[C; 3]>,
+) -> Result<Vec<TrianglePatch<C>>, CurveError> {
     let p = corners_of(triangle);
-    let (third, half) = (rational(1, 3), C::from_rational(&rational(1, 2)));
-    let z: Point<C> =
-        (0..2).map(|k| p.iter().fold(C::zero(), |sum, x| sum.plus(&x[k])).scaled(&third)).collect();
-    let mean = |x: &C, y: &C| x.plus(y).times(&half);
+    let z = split.cloned().unwrap_or_else(|| centroid(&p));
+    let lambda = triangle.barycentric(&z)?;
+    let half = C::from_rational(&rational(1, 2));
     let to_z: [C; 3] = std::array::from_fn(|i| data[i].towards(&p[i], &z, 2));
-    let top = to_z.iter().fold(C::zero(), |sum, x| sum.plus(x)).scaled(&third);
+    let top = to_z.iter().zip(&lambda).fold(C::zero(), |sum, (x, l)| sum.plus(&x.times(l)));
     let mut patches = Vec::with_capacity(6);
     for i in 0..3 {
         let j = (i + 1) % 3;
-        let e = lerp(&p[i], &p[j], &half);
+        let t = edges.map_or(&half, |list| &list[i]);
+        let mean = |x: &C, y: &C| x.plus(&y.minus(x).times(t));
+        let e = lerp(&p[i], &p[j], t);
         let (left, right) = (data[i].towards(&p[i], &e, 2), data[j].towards(&p[j], &e, 2));
         let (middle, up) = (mean(&left, &right), mean(&to_z[i], &to_z[j]));
         // In the order of indices: 200, 110, 101, 020, 011, 002.
-        let mut patch = |corners: [&Point<C>; 3], list: [&C; 6]| {
-            let small = Triangle::new(corners.map(Clone::clone)).expect("parts of a triangle have an area");
+        let mut patch = |corners: [&Point<C>; 3], list: [&C; 6]| -> Result<(), CurveError> {
+            let small = Triangle::new(corners.map(Clone::clone))?;
             let points = list.iter().map(|x| vec![(*x).clone()]).collect();
-            patches.push(TrianglePatch::new(points, small).expect("six points are a quadratic patch"));
+            patches.push(TrianglePatch::new(points, small)?);
+            Ok(())
         };
-        patch([&p[i], &e, &z], [&data[i].value, &left, &to_z[i], &middle, &up, &top]);
-        patch([&e, &p[j], &z], [&middle, &right, &up, &data[j].value, &to_z[j], &top]);
+        patch([&p[i], &e, &z], [&data[i].value, &left, &to_z[i], &middle, &up, &top])?;
+        patch([&e, &p[j], &z], [&middle, &right, &up, &data[j].value, &to_z[j], &top])?;
     }
-    patches
+    Ok(patches)
 }
 
 #[cfg(test)]
@@ -344,10 +369,17 @@ mod tests {
             let data: [CornerData<Rational>; 3] =
                 std::array::from_fn(|i| CornerData { value: z(data[i][0]), gradient: [z(data[i][1]), z(data[i][2])] });
             let across: [Rational; 3] = std::array::from_fn(|i| z(across[i]));
-            let elements = clough_tocher(&triangle, &data, Some(&across));
+            // A point inside, and ratios between 0 and 1, of their own for each case.
+            let weights: [Rational; 3] = std::array::from_fn(|i| z(6) + &data[i].value);
+            let whole: Rational = weights.iter().sum();
+            let split: Point<Rational> =
+                (0..2).map(|k| (0..3).map(|i| &p[i][k] * &weights[i]).sum::<Rational>() / &whole).collect();
+            let ratios: [Rational; 3] = std::array::from_fn(|i| &weights[i] / &whole);
+            let elements = clough_tocher(&triangle, &data, Some(&across), Some(&split)).unwrap();
             prop_assert!(smooth(&elements));
-            prop_assert!(smooth(&clough_tocher(&triangle, &data, None)));
-            let quadratic = powell_sabin(&triangle, &data);
+            prop_assert!(smooth(&clough_tocher(&triangle, &data, None, None).unwrap()));
+            let quadratic = powell_sabin(&triangle, &data, Some(&split), Some(&ratios)).unwrap();
+            prop_assert!(smooth(&powell_sabin(&triangle, &data, None, None).unwrap()));
             prop_assert!(smooth(&quadratic));
             for (i, datum) in data.iter().enumerate() {
                 for patch in elements.iter().chain(&quadratic) {
@@ -375,13 +407,13 @@ mod tests {
                 let [a, b, c] = patch.triangle().corners();
                 lerp(&lerp(a, b, &rational(1, 3)), c, &rational(2, 5))
             };
-            for patch in clough_tocher(&triangle, &exact, Some(&normals)) {
+            for patch in clough_tocher(&triangle, &exact, Some(&normals), Some(&split)).unwrap() {
                 let x = inside(&patch);
                 prop_assert_eq!(&patch.value(&x).unwrap()[0], &corner(&f, &x).value);
             }
             let low: Vec<Rational> = f.iter().enumerate().map(|(k, c)| if k < 6 { c.clone() } else { z(0) }).collect();
             let exact: [CornerData<Rational>; 3] = std::array::from_fn(|i| corner(&low, &p[i]));
-            for patch in powell_sabin(&triangle, &exact) {
+            for patch in powell_sabin(&triangle, &exact, Some(&split), Some(&ratios)).unwrap() {
                 let x = inside(&patch);
                 prop_assert_eq!(&patch.value(&x).unwrap()[0], &corner(&low, &x).value);
             }

@@ -13,6 +13,7 @@
 //! Guide to Splines* (2001), chapters IX–XI; L. Piegl, W. Tiller, *The NURBS Book* (1997).
 
 mod basis;
+mod blend;
 mod bspline;
 mod calculus;
 mod convert;
@@ -34,6 +35,7 @@ use std::fmt;
 use crate::math::curve::CurveError;
 use crate::math::interval::EmptyInterval;
 
+pub use blend::{coons_spline, ruled_spline};
 pub use bspline::{BSpline, DeBoor};
 pub use insertion::Defect;
 pub use knots::KnotVector;

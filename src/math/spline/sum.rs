@@ -40,8 +40,20 @@ impl<C: Field> BSpline<C> {
             let points = a.points().iter().zip(b.points()).map(|(p, q)| p + &q.position()).collect();
             BSpline::new(a.knots().clone(), points)
         };
+        let (left, right) = self.in_common(other)?;
+        add(&left, &right)
+    }
+
+    /// Both splines over the same knots and of the larger degree, each knot as often as the one needs it that has it more often, the ends
+    /// clamped; as they are if they have the same knots.
+    ///
+    /// Cost: an elevation and a refinement of each.
+    ///
+    /// # Errors
+    /// [`SplineError::Domains`], [`SplineError::Unordered`] if the order of the knots of both is not known.
+    pub fn in_common(&self, other: &Self) -> Result<(Self, Self), SplineError> {
         if self.knots() == other.knots() {
-            return add(self, other);
+            return Ok((self.clone(), other.clone()));
         }
         if self.interval() != other.interval() {
             return Err(SplineError::Domains);
@@ -50,7 +62,7 @@ impl<C: Field> BSpline<C> {
         let (left, right) = (self.elevate(n - self.degree())?, other.elevate(n - other.degree())?);
         let inner = merged(left.inner_knots(), right.inner_knots())?;
         let knots = KnotVector::clamped(n, &inner, self.interval())?;
-        add(&left.refine(knots.clone())?, &right.refine(knots)?)
+        Ok((left.refine(knots.clone())?, right.refine(knots)?))
     }
 }
 

@@ -141,6 +141,26 @@ impl<C: Field> SplineSurface<C> {
         Ok(PolarValue::of(column.blossom(spans.1, v)?.into_point(), &[u, v].concat()))
     }
 
+    /// The sum of two surfaces over one rectangle, over the knots of both.
+    ///
+    /// # Errors
+    /// As [`BSpline::in_common`], and different dimensions.
+    pub fn sum(&self, other: &Self) -> Result<Self, SplineError> {
+        if self.dimension() != other.dimension() {
+            return Err(CurveError::DimensionsOf { left: self.dimension(), right: other.dimension() }.into());
+        }
+        let over_common_rows = |a: &Self, b: &Self| -> Result<(Self, Self), SplineError> {
+            let (rows, others) = a.rows().in_common(&b.rows())?;
+            Ok((a.with_rows(&rows)?.transposed(), b.with_rows(&others)?.transposed()))
+        };
+        let (a, b) = over_common_rows(self, other)?;
+        let (a, b) = over_common_rows(&a, &b)?;
+        let row = |(p, q): (&Vec<Point<C>>, &Vec<Point<C>>)| -> Vec<Point<C>> {
+            p.iter().zip(q).map(|(x, y)| x + &y.position()).collect()
+        };
+        SplineSurface::new(a.u.clone(), a.v.clone(), a.net.iter().zip(&b.net).map(row).collect())
+    }
+
     /// The same surface with knots added in one direction.
     ///
     /// # Errors

@@ -16,6 +16,7 @@
 mod limit;
 mod scheme;
 mod smoothness;
+mod tangent;
 #[cfg(test)]
 mod tests;
 mod vertex;
@@ -25,6 +26,7 @@ use std::fmt;
 pub use limit::{Stencil, limit_stencil};
 pub use scheme::Scheme;
 pub use smoothness::{Contraction, contraction, iterated_norm};
+pub use tangent::{Weight, vertex_tangents};
 pub use vertex::{Cosine, VertexScheme, vertex_eigenvalues, vertex_limit, vertex_matrix};
 
 /// Why points cannot be subdivided, or a scheme not be analysed.

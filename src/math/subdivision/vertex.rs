@@ -51,7 +51,7 @@ impl Cosine {
     }
 
     /// The remainder of a polynomial in c.
-    fn reduced(&self, f: &Poly) -> Poly {
+    pub(super) fn reduced(&self, f: &Poly) -> Poly {
         f.div_rem(&self.equation).map_or_else(|| f.clone(), |(_, rest)| rest)
     }
 

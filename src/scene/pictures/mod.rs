@@ -16,6 +16,7 @@
 //! | [`TrianglePicture`], [`TriangleDomain`] | a triangular surface; the names of its points |
 //! | [`ContinuityPicture`] | whether two curves join with continuous derivatives |
 //! | [`HodographPicture`] | a curve and its derivative |
+//! | [`SubdivisionPicture`] | the polygons of a subdivision scheme |
 //!
 //! Reference: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002); L. Ramshaw, "Blossoms
 //! are polar forms", CAGD 6 (1989).
@@ -32,6 +33,7 @@ mod labels;
 mod patch;
 mod projection;
 mod pyramid;
+mod subdivision;
 mod triangle;
 
 pub use axes::as_graph;
@@ -46,6 +48,7 @@ pub use labels::{bspline_labels, casteljau_labels, polar_labels, triangle_labels
 pub use patch::PatchPicture;
 pub use projection::projected;
 pub use pyramid::{Apex, PyramidPicture};
+pub use subdivision::SubdivisionPicture;
 pub use triangle::{TriangleDomain, TrianglePicture};
 
 use crate::math::number::Rational;

@@ -10,7 +10,7 @@ use crate::math::poly::Symbol;
 use crate::session::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 
 impl Session {
-    /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
+    /// The formula of such a claim; `None` if the text is none. Strict inequalities over several variables are other claims.
     pub(in crate::session) fn certified(
         &self,
         file: &SourceFile,
@@ -34,13 +34,17 @@ impl Session {
             (None, Ok(claimed)) => (claimed, None),
             (None, Err(_)) => return Ok(None),
         };
-        let Some(function) = function(claimed, shape) else { return Ok(None) };
+        let Some((function, strict)) = function(claimed, shape) else { return Ok(None) };
+        let positivity = |mut arguments: Vec<Expr>| {
+            arguments.extend(strict.then(|| named("strict", Expr { span: whole, ..Expr::int(1) })));
+            call("positivity", arguments, whole)
+        };
         let Some(region) = region else {
             if let Some([a, b]) = region_of_object {
-                return Ok(Some(call("positivity", vec![function, a, b], whole)));
+                return Ok(Some(positivity(vec![function, a, b])));
             }
             // Over all numbers.
-            return Ok(Some(call("positivity", vec![function], whole)));
+            return Ok(Some(positivity(vec![function])));
         };
         let span = place(region);
         let inner = file.slice(span);
@@ -50,12 +54,12 @@ impl Session {
             items.push(item);
         }
         Ok(match region_of(items) {
-            Some(Region::Interval(a, b)) => Some(call("positivity", vec![function, a, b], whole)),
-            Some(Region::Rows(rows)) => {
+            Some(Region::Interval(a, b)) => Some(positivity(vec![function, a, b])),
+            Some(Region::Rows(rows)) if !strict => {
                 let list = Expr { span, ..Kind::List(rows).into() };
                 Some(call("positivity_over", vec![function, list], whole))
             }
-            None => None,
+            Some(Region::Rows(_)) | None => None,
         })
     }
 }
@@ -242,8 +246,8 @@ fn sign_of(claimed: Expr, shape: Shape, span: Span) -> Expr {
     Expr { span, ..Expr::relation(function, shape.relation(), zero) }
 }
 
-/// What is not negative if the claim holds.
-fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
+/// What is not negative if the claim holds, and whether it has to be positive.
+fn function(claimed: Expr, shape: Option<Shape>) -> Option<(Expr, bool)> {
     let span = claimed.span;
     let minus = |left: Expr, right: Expr| {
         let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q));
@@ -260,13 +264,14 @@ fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
         (Some(shape), kind) if !matches!(kind, Kind::Chain(..)) => {
             let start = Expr { span, ..kind.into() };
             let derived = derived(start, shape, span);
-            Some(if shape.is_turned() { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })
+            let turned = shape.is_turned();
+            Some((if turned { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived }, false))
         }
         (None, Kind::Chain(left, mut links)) if links.len() == 1 => {
             let link = links.remove(0);
             match link.rel {
-                Rel::Ge => Some(minus(*left, link.expr)),
-                Rel::Le => Some(minus(link.expr, *left)),
+                Rel::Ge | Rel::Gt => Some((minus(*left, link.expr), link.rel == Rel::Gt)),
+                Rel::Le | Rel::Lt => Some((minus(link.expr, *left), link.rel == Rel::Lt)),
                 _ => None,
             }
         }

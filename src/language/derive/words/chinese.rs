@@ -32,6 +32,11 @@ pub(super) fn title(title: Title) -> String {
         Title::ConnectionMatrix(k) => format!("`G^{k}` 连续的 beta 矩阵"),
         Title::Coons => "四条曲线的孔斯曲面（布尔和）".into(),
         Title::Multirational => "多元有理极形式".into(),
+        Title::Sturm => "用斯图姆序列计算实根个数".into(),
+        Title::Resultant => "结式作为西尔维斯特行列式".into(),
+        Title::Hull => "控制点凸包中的点".into(),
+        Title::Curvature => "曲线的曲率".into(),
+        Title::GeometricContinuity(k) => format!("两条曲线的 `G^{k}` 拼接"),
         Title::Implicit => "用贝祖行列式求曲线的隐式方程".into(),
         Title::Roots => "用伯恩斯坦系数与笛卡尔符号法则分离实根".into(),
     }
@@ -194,12 +199,54 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::Negative => "取负值".into(),
         Reason::WithoutSquares => "重数为奇数的因式，各取一次".into(),
         Reason::SquareTimes => "平方非负，故与 `G` 同号或为零".into(),
-        Reason::NoneNegative { lower, upper } => {
+        Reason::NoneNegative { lower, upper, strict: false } => {
             format!("系数均非负：在 `{lower}` 到 `{upper}` 上非负")
         }
-        Reason::NoneNegativeBeyond { end, up: true } => format!("系数均非负：从 `{end}` 起非负"),
-        Reason::NoneNegativeBeyond { end, .. } => format!("系数均非负：到 `{end}` 为止非负"),
-        Reason::PositiveConstant => "非负常数".into(),
+        Reason::NoneNegative { lower, upper, .. } => {
+            format!("系数均非负，首末系数为正：在 `{lower}` 到 `{upper}` 上为正")
+        }
+        Reason::NoneNegativeBeyond { end, up, strict } => {
+            let (before, sign) = if *strict {
+                ("系数均非负，常数项为正", "为正")
+            } else {
+                ("系数均非负", "非负")
+            };
+            if *up {
+                format!("{before}：从 `{end}` 起{sign}")
+            } else {
+                format!("{before}：到 `{end}` 为止{sign}")
+            }
+        }
+        Reason::PositiveConstant { strict: false } => "非负常数".into(),
+        Reason::PositiveConstant { .. } => "正常数".into(),
+        Reason::NotPositive => "零点：在此不为正".into(),
+        Reason::SignOfQuotient => "分母在此没有零点：`F` 与此多项式同号".into(),
+        Reason::WithArguments(n) => format!("其 {n} 元极形式"),
+        Reason::ChainStarts => "序列从 `F` 开始".into(),
+        Reason::ItsDerivative => "其导数".into(),
+        Reason::SturmRemainder(k) => format!("`P_{}` 除以 `P_{}` 的余式的相反数，乘以正因子", k - 2, k - 1),
+        Reason::SturmSigns { at, changes } => format!("在 `{at}` 处变号 {changes} 次（不计零）"),
+        Reason::SturmCount { lower, upper } => format!("大于 `{lower}` 且不超过 `{upper}` 的不同实根个数"),
+        Reason::Sylvester { m, n } => format!("`F` 的系数 {n} 行，`G` 的系数 {m} 行，逐行右移一列"),
+        Reason::CommonFactor => "为零：`F` 与 `G` 有公共根或公因式".into(),
+        Reason::NoCommonFactor => "当且仅当 `F` 与 `G` 有公共根或公因式时为零".into(),
+        Reason::WeightsNotNegative => "伯恩斯坦多项式在区间上非负".into(),
+        Reason::WeightsSumToOne => "其和为 1".into(),
+        Reason::ConvexCombination => "因此该点在控制点的凸包中".into(),
+        Reason::TangentVector => "一阶导数".into(),
+        Reason::SecondDerivative => "二阶导数".into(),
+        Reason::LengthSquared(of) => format!("`|{of}|^2`"),
+        Reason::InnerProduct => "二者的数量积".into(),
+        Reason::SquaredCurvature => {
+            "二者所张平行四边形面积的平方（拉格朗日恒等式），除以 `|c'|` 的六次方".into()
+        }
+        Reason::DerivativesAtEnd => "`F` 终点处的导数".into(),
+        Reason::DerivativesAtStart => "`G` 起点处的导数".into(),
+        Reason::BetaWanted(j) => format!("由链式法则，`G^{j}` 要求它等于 `beta_{j} F'`"),
+        Reason::BetaFound(j) => format!("因此两曲线 `G^{j}` 连续"),
+        Reason::BetaMissing(j) => format!("不是 `F'` 的倍数：两曲线不是 `G^{j}` 连续"),
+        Reason::BetaNegative => "只能是 `F'` 的负倍数：切向相反，为尖点".into(),
+        Reason::CurvatureWithSign => "其平方根；在平面中左转时为正".into(),
         Reason::NoneNegativeOver(corners) => format!("伯恩斯坦系数均非负：在 {corners} 上非负"),
         Reason::EdgesNotNegative => "在每条边上是一元多项式，由其实根知非负".into(),
         Reason::FacesNotNegative => "在每个面上是二元多项式，同样证得非负".into(),

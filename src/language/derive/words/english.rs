@@ -32,6 +32,11 @@ pub(super) fn title(title: Title) -> String {
         Title::ConnectionMatrix(k) => format!("The beta-matrix of `G^{k}`"),
         Title::Coons => "Coons' surface of four curves as a Boolean sum".into(),
         Title::Multirational => "The multirational blossom".into(),
+        Title::Sturm => "The number of real roots by Sturm's chain".into(),
+        Title::Resultant => "The resultant as Sylvester's determinant".into(),
+        Title::Hull => "A point in the convex hull of the control points".into(),
+        Title::Curvature => "The curvature of a curve".into(),
+        Title::GeometricContinuity(k) => format!("How two curves meet `G^{k}`"),
         Title::Implicit => "The equation of a curve by Bézout's determinant".into(),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
@@ -224,16 +229,56 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::Negative => "a negative value".into(),
         Reason::WithoutSquares => "the factors of odd multiplicity, each once".into(),
         Reason::SquareTimes => "a square is not negative: it has the sign of `G` or is 0".into(),
-        Reason::NoneNegative { lower, upper } => {
+        Reason::NoneNegative { lower, upper, strict: false } => {
             format!("no coefficient is negative: not negative from `{lower}` to `{upper}`")
         }
-        Reason::NoneNegativeBeyond { end, up: true } => {
-            format!("no coefficient is negative: not negative from `{end}` on")
+        Reason::NoneNegative { lower, upper, .. } => {
+            format!("no coefficient is negative, the first and the last are positive: positive from `{lower}` to `{upper}`")
         }
-        Reason::NoneNegativeBeyond { end, .. } => {
-            format!("no coefficient is negative: not negative up to `{end}`")
+        Reason::NoneNegativeBeyond { end, up, strict } => {
+            let (from, tail) = if *up { ("from", " on") } else { ("up to", "") };
+            match strict {
+                false => format!("no coefficient is negative: not negative {from} `{end}`{tail}"),
+                true => format!("no coefficient is negative, the last is positive: positive {from} `{end}`{tail}"),
+            }
         }
-        Reason::PositiveConstant => "a constant that is not negative".into(),
+        Reason::PositiveConstant { strict: false } => "a constant that is not negative".into(),
+        Reason::PositiveConstant { .. } => "a positive constant".into(),
+        Reason::NotPositive => "a zero: not positive there".into(),
+        Reason::SignOfQuotient => "the denominator has no zero there: `F` has the sign of this polynomial".into(),
+        Reason::WithArguments(n) => format!("its polar form with {n} arguments"),
+        Reason::ChainStarts => "the chain starts with `F`".into(),
+        Reason::ItsDerivative => "its derivative".into(),
+        Reason::SturmRemainder(k) => {
+            format!("a positive multiple of minus the remainder of `P_{}` by `P_{}`", k - 2, k - 1)
+        }
+        Reason::SturmSigns { at, changes: 1 } => format!("one change of sign at `{at}`, zeros left out"),
+        Reason::SturmSigns { at, changes } => format!("{changes} changes of sign at `{at}`, zeros left out"),
+        Reason::SturmCount { lower, upper } => {
+            format!("so many different roots are larger than `{lower}` and at most `{upper}`")
+        }
+        Reason::Sylvester { m, n } => {
+            format!("{n} rows with the coefficients of `F` and {m} with those of `G`, each moved by one column")
+        }
+        Reason::CommonFactor => "0: `F` and `G` have a common root or factor".into(),
+        Reason::NoCommonFactor => "0 if and only if `F` and `G` have a common root or factor".into(),
+        Reason::WeightsNotNegative => "Bernstein polynomials are not negative on the interval".into(),
+        Reason::WeightsSumToOne => "their sum is 1".into(),
+        Reason::ConvexCombination => "so the point lies in the convex hull of the control points".into(),
+        Reason::TangentVector => "the first derivative".into(),
+        Reason::SecondDerivative => "the second derivative".into(),
+        Reason::LengthSquared(of) => format!("`|{of}|^2`"),
+        Reason::InnerProduct => "the scalar product of both".into(),
+        Reason::SquaredCurvature => {
+            "the squared area of their parallelogram, by Lagrange's identity, over the sixth power of `|c'|`".into()
+        }
+        Reason::DerivativesAtEnd => "the derivatives where `F` ends".into(),
+        Reason::DerivativesAtStart => "the derivatives where `G` starts".into(),
+        Reason::BetaWanted(j) => format!("has to be `beta_{j} F'` for `G^{j}`, by the chain rule"),
+        Reason::BetaFound(j) => format!("so the curves meet `G^{j}`"),
+        Reason::BetaMissing(j) => format!("no multiple of `F'`: the curves do not meet `G^{j}`"),
+        Reason::BetaNegative => "only a negative multiple of `F'`: the tangents are opposite, a cusp".into(),
+        Reason::CurvatureWithSign => "its root; in the plane it is positive in a left turn".into(),
         Reason::NoneNegativeOver(corners) => {
             format!("no Bernstein coefficient is negative: not negative over {corners}")
         }

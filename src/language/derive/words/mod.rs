@@ -56,6 +56,16 @@ pub enum Title {
     Coons,
     /// A multirational blossom.
     Multirational,
+    /// Sturm's chain.
+    Sturm,
+    /// Sylvester's determinant.
+    Resultant,
+    /// The hull property.
+    Hull,
+    /// A curvature.
+    Curvature,
+    /// How two curves meet G^k.
+    GeometricContinuity(usize),
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -356,6 +366,8 @@ pub enum Reason {
         lower: Rational,
         /// Its upper end.
         upper: Rational,
+        /// Whether those at the ends are positive, too.
+        strict: bool,
     },
     /// No coefficient of F(c + x) or F(c − x) is negative.
     NoneNegativeBeyond {
@@ -363,9 +375,85 @@ pub enum Reason {
         end: Rational,
         /// Whether it is F(c + x).
         up: bool,
+        /// Whether the constant term is positive, too.
+        strict: bool,
     },
     /// A constant that is not negative.
-    PositiveConstant,
+    PositiveConstant {
+        /// Whether it is positive.
+        strict: bool,
+    },
+    /// A value is 0.
+    NotPositive,
+    /// F = P/Q, and this polynomial is P Q.
+    SignOfQuotient,
+    /// The polar form with so many arguments.
+    WithArguments(usize),
+
+    /// The first polynomial of Sturm's chain.
+    ChainStarts,
+    /// The derivative of the line before.
+    ItsDerivative,
+    /// A positive multiple of minus the remainder of the two before; its number.
+    SturmRemainder(usize),
+    /// How often the signs change at an end.
+    SturmSigns {
+        /// The end.
+        at: Rational,
+        /// How often.
+        changes: usize,
+    },
+    /// The number of roots.
+    SturmCount {
+        /// The lower end, not counted.
+        lower: Rational,
+        /// The upper end.
+        upper: Rational,
+    },
+    /// Sylvester's matrix, for these degrees.
+    Sylvester {
+        /// The degree of F.
+        m: usize,
+        /// The degree of G.
+        n: usize,
+    },
+    /// The resultant is 0.
+    CommonFactor,
+    /// The resultant is not 0.
+    NoCommonFactor,
+
+    /// Bernstein polynomials are not negative on the interval.
+    WeightsNotNegative,
+    /// They add up to 1.
+    WeightsSumToOne,
+    /// A combination with such weights.
+    ConvexCombination,
+
+    /// c'
+    TangentVector,
+    /// c''
+    SecondDerivative,
+    /// |c'|² or |c''|²
+    LengthSquared(&'static str),
+    /// c' · c''
+    InnerProduct,
+    /// κ² by Lagrange's identity.
+    SquaredCurvature,
+    /// κ
+    CurvatureWithSign,
+
+    /// The derivatives of the first curve where it ends.
+    DerivativesAtEnd,
+    /// Those of the second one where it starts.
+    DerivativesAtStart,
+    /// What β_j has to be for G^j.
+    BetaWanted(usize),
+    /// β_j.
+    BetaFound(usize),
+    /// There is no β_j.
+    BetaMissing(usize),
+    /// β_1 would be negative.
+    BetaNegative,
     /// No Bernstein coefficient over a rectangle or triangle with these corners is negative.
     NoneNegativeOver(String),
     /// On the edges it is a polynomial in one variable.

@@ -6,7 +6,7 @@ use super::Arguments;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::formula::is_parameter;
+use crate::language::ops::formula::{coefficients_in, curve_of, is_parameter, over_one_weight};
 use crate::language::ops::geometry::{
     as_spline, joined, point_of, points_of, polynomial_pieces, scalar_list,
 };
@@ -68,9 +68,18 @@ impl Arguments {
         }
     }
 
-    /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1], and so are control points.
+    /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1], and so are formulas and control points.
     pub(crate) fn bezier(&self, i: usize) -> Result<(BezierCurve<Fraction>, Form)> {
         let value = self.value(i)?;
+        if let Some((t, formulas)) = curve_of(value).at(self.span(i))? {
+            let mut coordinates = over_one_weight(&formulas, &t).at(self.span(i))?;
+            let rational = coordinates.last().is_some_and(|weight| weight.len() > 1);
+            if !rational {
+                coordinates = formulas.iter().map(|f| coefficients_in(f, &t)).collect::<Result<_>>()?;
+            }
+            let curve = BezierCurve::from_power(&coordinates, Interval::unit()).map_err(curve_error)?;
+            return Ok((curve, Form { scalar: false, rational }));
+        }
         match value {
             Value::Geometry(geometry) => match &**geometry {
                 Geometry::Bezier(curve, form) => return Ok((curve.clone(), *form)),

@@ -21,6 +21,7 @@ use crate::language::ops::takes::Takes;
 use crate::language::value::Value;
 use crate::scene::Scene;
 
+use crate::language::functions::notions::SCHEME;
 use options::{COMMON, GRAPH_LABELS, LABELS, POLYGON, label_words};
 
 const NEW: Builtin = Builtin { common: COMMON, gives: Gives::Figure, ..Builtin::about("Figures") };
@@ -144,6 +145,20 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "a curve beside the curve of its derivatives",
         example: "figure_hodograph(bezier([[0, 0], [1, 3], [4, 4], [6, 1]]))",
         call: |_, args| curves::hodograph(args),
+        ..NEW
+    },
+    Builtin {
+        name: "figure_subdivision",
+        parameters: &[
+            required("points", Takes::Points, "points of the plane").shown("[p_0, ..., p_m]"),
+            required("scheme", SCHEME, "the subdivision scheme, or its mask"),
+            optional("k", Takes::Size, "3", "how many steps, 8 at most"),
+            named("closed=1", Takes::Flag, "0", "whether the last point is followed by the first one"),
+            label_words("labels=points", GRAPH_LABELS, "points"),
+        ],
+        summary: "a polygon and those after each step of a subdivision scheme",
+        example: "figure_subdivision([[0, 0], [1, 3], [4, 3], [5, 0]], chaikin, 3)",
+        call: |_, args| schemes::subdivision(args),
         ..NEW
     },
     Builtin {

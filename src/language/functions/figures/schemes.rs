@@ -1,19 +1,21 @@
-//! Triangular schemes: de Casteljau, de Boor, divided differences.
+//! Triangular schemes: de Casteljau, de Boor, divided differences; steps of subdivision.
 
-use super::numeric::form_name;
+use super::numeric::{form_name, numbers};
 use super::options::{Labels, drawn, finished, labels};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
+use crate::language::functions::notions::scheme;
 use crate::language::functions::splines;
-use crate::language::ops::errors::curve_error;
+use crate::language::ops::errors::{curve_error, subdivision_error};
 use crate::language::ops::takes::word_of;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
-use crate::math::curve::Tableau;
+use crate::math::curve::{Point, Tableau};
 use crate::math::interpolate::{DividedDifferences, InterpolationError};
+use crate::math::number::Rational;
 use crate::math::poly::Fraction;
 use crate::math::ring::{Field, Ring};
-use crate::scene::pictures::{Apex, PyramidPicture};
+use crate::scene::pictures::{Apex, PyramidPicture, SubdivisionPicture};
 use num_traits::One;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -57,6 +59,39 @@ pub(super) fn pyramid(args: &Arguments) -> Evaluated {
     };
     let [english, chinese] = title;
     finished(args, drawn(picture.scene(), args.span(0))?.with_title(english).also("zh", chinese))
+}
+
+/// The polygons of a subdivision scheme.
+pub(super) fn subdivision(args: &Arguments) -> Evaluated {
+    /// After more steps nothing new is seen.
+    const MOST: usize = 8;
+    let (points, _) = args.control_points(0)?;
+    let steps = args.size(2)?;
+    if steps > MOST {
+        let error = Diagnostic::error(Code::Undrawable, format!("{steps} steps are too many for a picture"));
+        return Err(error
+            .at(args.span(2))
+            .hint("after a few steps the polygon cannot be told from the limit"));
+    }
+    let plane = |point: &Point<Fraction>| -> Result<[Rational; 2]> {
+        numbers(point, args.span(0))?.try_into().map_err(|list: Vec<Rational>| {
+            let message = format!("points of the plane are needed, these have {} coordinates", list.len());
+            Diagnostic::error(Code::Shape, message).at(args.span(0)).hint("such as [[0, 0], [1, 3], [4, 3]]")
+        })
+    };
+    let (scheme, closed) = (scheme(args, 1)?, args.flag("closed")?);
+    let mut levels = vec![points];
+    for k in 0..steps {
+        let finer = scheme.refine(&levels[k], closed).map_err(subdivision_error).at(args.span(0))?;
+        levels.push(finer);
+    }
+    let levels = levels.iter().map(|level| level.iter().map(plane).collect());
+    let levels: Vec<Vec<[Rational; 2]>> = levels.collect::<Result<_>>()?;
+    let labels = match labels(args)? {
+        Some(Labels::None) => Vec::new(),
+        _ => (0..levels[0].len()).map(|i| Expr::indexed("p", i as i64)).collect(),
+    };
+    finished(args, drawn(SubdivisionPicture { levels, closed, labels }.scene(), args.span(0))?)
 }
 
 /// The entries, their weights, and what it is called, in English and Chinese.

@@ -16,7 +16,7 @@ use crate::language::functions::splines::piecewise;
 use crate::language::ops::errors::{curve_error, linalg_error, spline_error};
 use crate::language::ops::geometry::{as_spline, bezier, polynomial_pieces};
 use crate::language::ops::takes::Takes;
-use crate::language::value::{Form, Geometry, Value};
+use crate::language::value::{Form, Geometry, Value, polynomial_expr};
 use crate::math::approximation::{
     ApproximationError, bernstein_gram, best_reduction, dual_bernstein, spline_energy, spline_gram,
 };
@@ -111,11 +111,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         example: "squared_distance(bezier([0, 0, 1]), bezier([0, 1]))",
         call: |_, args| {
             let ((c, _), (d, _)) = (spline_of(args, 0)?, spline_of(args, 1)?);
-            let points = d.points().iter().map(|point| point.iter().map(|x| -x.clone()).collect::<Vec<_>>());
-            let turned = BSpline::new(d.knots().clone(), points.collect());
-            let difference =
-                turned.and_then(|turned| c.sum(&turned)).map_err(spline_error).at(args.span(1))?;
-            Ok(Value::Scalar(spline_energy(&difference, 0)))
+            squared_distance(&c, &d).at(args.span(1)).map(Value::Scalar)
         },
         ..NEW
     },
@@ -134,7 +130,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         summary: "the curve of degree n - k with the least integral of |c - d|^2",
         gives: Gives::Curve,
         example: "best_reduction(bezier([0, 0, 1]))",
-        call: |_, args| {
+        call: |machine, args| {
             let (by, ends) = (args.size(1)?, args.size_named("ends")?);
             let (curve, form) = args.bezier(0)?;
             polynomial(form, args.span(0))?;
@@ -146,11 +142,24 @@ pub(crate) const TABLE: &[Builtin] = &[
                 let place = args.named("ends").map_or_else(|| args.span(0), |(_, span)| span);
                 approximation_error(error).at(place)
             })?;
+            let both = as_spline(&curve).and_then(|c| Ok((c, as_spline(&found)?))).map_err(spline_error)?;
+            let error = squared_distance(&both.0, &both.1).at(args.span(0))?;
+            let error = crate::language::write::text(&polynomial_expr(&error));
+            let note = format!("the integral of |c - d|^2 is {error}");
+            machine.note(Diagnostic::note(Code::StandardMeaning, note).at(args.span(0)));
             Ok(bezier(found, form))
         },
         ..NEW
     },
 ];
+
+/// ∫ |c − d|² over the common interval.
+fn squared_distance(c: &BSpline<Fraction>, d: &BSpline<Fraction>) -> Result<Fraction> {
+    let points = d.points().iter().map(|point| point.iter().map(|x| -x.clone()).collect::<Vec<_>>());
+    let turned = BSpline::new(d.knots().clone(), points.collect());
+    let difference = turned.and_then(|turned| c.sum(&turned)).map_err(spline_error)?;
+    Ok(spline_energy(&difference, 0))
+}
 
 /// The diagnostic for an error of approximation.
 pub(super) fn approximation_error(error: ApproximationError) -> Diagnostic {

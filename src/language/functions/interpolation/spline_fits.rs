@@ -7,7 +7,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
-use crate::language::functions::differential::coordinates;
+
 use crate::language::functions::gives::Gives;
 use crate::language::functions::parameter::{
     DEGREE, END, KNOTS, NODES, Parameter, SPLINE, START, VALUES, named, required, size,
@@ -16,12 +16,13 @@ use crate::language::functions::record::Variant;
 use crate::language::functions::splines::knots_at;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
+use crate::language::ops::formula::curve_of;
 use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::ops::takes::Takes;
 use crate::language::value::{Form, Value, polynomial_expr};
 use crate::math::approximation::{
     ApproximationError, Smoothing, averaged_knots, de_boor_fix, fitted_spline, interpolating_spline,
-    schoenberg,
+    quasi_interpolant, schoenberg,
 };
 use crate::math::curve::{BezierCurve, Interval, Point};
 use crate::math::interpolate::InterpolationError;
@@ -117,6 +118,41 @@ pub(crate) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "smoothing_spline",
+        parameters: &[
+            NODES.shown("[x_0, ..., x_m]"),
+            VALUES.shown("[y_0, ..., y_m]"),
+            required("lambda", Takes::Scalar, "the factor of the integral of |S''|^2"),
+            named("weights=[w_0, ..., w_m]", Takes::Scalars, "all 1", "the weights of the nodes"),
+        ],
+        summary: "the natural cubic spline with the least sum of w_i |y_i - S(x_i)|^2 + lambda |S''|^2",
+        gives: Gives::Spline,
+        example: "smoothing_spline([0, 1, 2, 3], [0, 1, 0, 1], 1)",
+        call: |_, args| {
+            let nodes = args.scalars(0)?;
+            let (values, form) = values(args, 1)?;
+            let lambda = args.scalar(2)?;
+            if lambda.as_rational().is_some_and(|q| !q.is_positive()) {
+                let error =
+                    Diagnostic::error(Code::Domain, "the factor of the penalty is positive").at(args.span(2));
+                return Err(error.hint("without a penalty it is cubic_spline(nodes, values)"));
+            }
+            let (Some(first), Some(last), true) = (nodes.first(), nodes.last(), nodes.len() > 1) else {
+                let error = Diagnostic::error(Code::Shape, "two nodes or more are needed").at(args.span(0));
+                return Err(error.hint("such as [0, 1, 2]"));
+            };
+            // The least of all functions is a cubic spline whose knots are the nodes; that it is natural follows.
+            let whole = Interval::new(first.clone(), last.clone()).map_err(curve_error).at(args.span(0))?;
+            let inner = &nodes[1..nodes.len() - 1];
+            let knots = KnotVector::clamped(3, inner, &whole).map_err(spline_error).at(args.span(0))?;
+            let weights = args.named_scalars("weights")?;
+            let smoothing = Smoothing { weight: lambda, order: 2 };
+            let fit = fitted_spline(knots.clone(), &nodes, &values, weights.as_deref(), Some(&smoothing));
+            fit.map(|fit| spline(fit, form)).map_err(|error| told(error, &knots).at(args.span(0)))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "averaged_knots",
         parameters: &[DEGREE, NODES],
         summary: "clamped knots for interpolation at the nodes: means of n consecutive ones",
@@ -181,6 +217,23 @@ pub(crate) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "quasi_interpolant",
+        parameters: &[FUNCTION, DEGREE, KNOTS],
+        summary: "the spline with control points by blossoms of local interpolants: exact for degree n",
+        gives: Gives::Spline,
+        example: "quasi_interpolant(t^2, 2, [0, 0, 0, 2, 4, 4, 4])",
+        call: |_, args| {
+            let (functions, form) = functions(args)?;
+            let knots = knots_at(args, 1, 2)?;
+            let sample = |x: &Fraction| -> Result<Point<Fraction>> {
+                functions.iter().map(|function| value(function, 0, x, args)).collect()
+            };
+            let s = quasi_interpolant(knots, sample)?.map_err(spline_error).at(args.span(2))?;
+            Ok(spline(s, form))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "deboor_fix",
         parameters: &[FUNCTION, DEGREE, KNOTS, size("i", "the number of the control point"), TAU],
         summary: "the functional of de Boor and Fix: control point d_i from derivatives at tau",
@@ -232,7 +285,10 @@ fn functions(args: &Arguments) -> Result<(Vec<(Symbol, Fraction)>, Form)> {
         let list: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
         list.map(|list| list.into_iter().map(|formula| (Symbol::new("t"), formula)).collect())
     };
-    let found = coordinates(items).or_else(constants);
+    let list = Value::list(items.to_vec());
+    let with =
+        |(t, formulas): (Symbol, Vec<Fraction>)| formulas.into_iter().map(|f| (t.clone(), f)).collect();
+    let found = curve_of(&list).at(args.span(0))?.map(with).or_else(constants);
     let found = found.ok_or_else(|| wrong_kind("a function or a list of them", value).at(args.span(0)))?;
     Ok((found, Form { scalar, rational: false }))
 }

@@ -24,6 +24,27 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
          changement~ de signe | nombre de changements de signe | cambio~ de signo | número de cambios de signo | \
          cambi di segno | 变号次数 | 符号变化次数",
     ),
+    (
+        Function("smoothing_spline"),
+        "smoothing spline~ | natural smoothing spline~ | glättungsspline~ | glättender spline | spline de lissage | \
+         spline suavizante | spline di lisciamento | 平滑样条",
+    ),
+    (
+        Function("quasi_interpolant"),
+        "quasi interpolant~ | quasiinterpolant~ | quasi interpolante | cuasi interpolante | cuasiinterpolante | 拟插值",
+    ),
+    (
+        Function("offset"),
+        "offset curve~ | parallelkurve~ | courbe parallèle | courbe offset | curva paralela | curva parallela | 等距曲线",
+    ),
+    (
+        Function("vertex_tangents"),
+        "vertex tangent~ | tangenten am vertex | tangentes au sommet | tangentes en el vértice | 顶点切向量",
+    ),
+    (
+        Function("tetrahedral_value"),
+        "tetrahedral value~ | wert über dem tetraeder | valeur sur le tétraèdre | valor sobre el tetraedro | 四面体上的值",
+    ),
     (Function("cross_ratio"), "cross ratio | doppelverhältnis | birapport | razón doble | birapporto | 交比"),
     (
         Function("bounding_box"),

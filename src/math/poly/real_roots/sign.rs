@@ -96,23 +96,44 @@ impl Poly {
                 }
             }
         }
-        let above = b.is_none().then(|| beyond(&rest, a.cloned().unwrap_or_else(Rational::zero)));
-        // G(−x) is beyond −c what G is below c.
-        let below = a.is_none().then(|| {
-            let start = b.map_or_else(Rational::zero, |b| -b);
-            let (c, tail) = beyond(&rest.compose(&-Poly::variable()), start);
-            (-c, tail)
-        });
-        let lower = below.as_ref().map(|(c, _)| c).or(a);
-        let upper = above.as_ref().map(|(c, _)| c).or(b);
-        let parts = match (lower, upper) {
-            // Tails that meet leave nothing between them.
-            (Some(lower), Some(upper)) if lower != upper || above.is_none() && below.is_none() => {
-                nonnegative_parts(&rest, lower, upper)
+        Ok(by_parts(square, rest, a, b))
+    }
+
+    /// Why F > 0 on [a, b]: coefficients of F itself, of which none is negative and those at the ends of each interval are values of
+    /// F, so positive. An end that is `None` is none.
+    ///
+    /// Cost: as [`Poly::positivity`].
+    ///
+    /// # Errors
+    /// A number in [a, b] at which F is negative, or else a root there.
+    ///
+    /// ```
+    /// # use polarform::{number::{integer, rational}, poly::Poly};
+    /// let t = Poly::variable();
+    /// let shown = (t.pow(2) - &t + Poly::one()).strict_positivity(Some(&integer(0)), None).unwrap();
+    /// assert!(shown.root_of_square.degree() == Some(0));
+    /// let touched = (&t - Poly::one()).pow(2).strict_positivity(None, None).unwrap_err();
+    /// assert_eq!(touched.to_string(), "1");
+    /// ```
+    pub fn strict_positivity(
+        &self,
+        a: Option<&Rational>,
+        b: Option<&Rational>,
+    ) -> Result<Positivity, RealRoot> {
+        if let Some(point) = self.negative_point(a, b) {
+            return Err(RealRoot::Rational(point));
+        }
+        match self.real_roots(a, b) {
+            // Every number is a root of 0.
+            None => {
+                let point = a.or(b).cloned().unwrap_or_else(Rational::zero);
+                Err(RealRoot::Rational(point))
             }
-            _ => Vec::new(),
-        };
-        Ok(Positivity { root_of_square: square, rest, below, parts, above })
+            Some(roots) => match roots.into_iter().next() {
+                Some((root, _)) => Err(root),
+                None => Ok(by_parts(Poly::one(), self.clone(), a, b)),
+            },
+        }
     }
 
     /// The Bernstein coefficients over an interval [a, b] for the degree n: F = Σ b_i B_i^n with b_i = Σ_k C(i, k)/C(n, k) c_k for
@@ -140,6 +161,27 @@ impl Poly {
         }
         list
     }
+}
+
+/// Intervals and tails on which no coefficient of the rest is negative.
+fn by_parts(square: Poly, rest: Poly, a: Option<&Rational>, b: Option<&Rational>) -> Positivity {
+    let above = b.is_none().then(|| beyond(&rest, a.cloned().unwrap_or_else(Rational::zero)));
+    // G(−x) is beyond −c what G is below c.
+    let below = a.is_none().then(|| {
+        let start = b.map_or_else(Rational::zero, |b| -b);
+        let (c, tail) = beyond(&rest.compose(&-Poly::variable()), start);
+        (-c, tail)
+    });
+    let lower = below.as_ref().map(|(c, _)| c).or(a);
+    let upper = above.as_ref().map(|(c, _)| c).or(b);
+    let parts = match (lower, upper) {
+        // Tails that meet leave nothing between them.
+        (Some(lower), Some(upper)) if lower != upper || above.is_none() && below.is_none() => {
+            nonnegative_parts(&rest, lower, upper)
+        }
+        _ => Vec::new(),
+    };
+    Positivity { root_of_square: square, rest, below, parts, above }
 }
 
 /// c ≥ start and G(c + x) without negative coefficients, for a G with a positive value far out.
