@@ -21,6 +21,7 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod book;
+#[cfg(feature = "files")]
 mod files;
 mod markdown;
 mod markup;
@@ -38,6 +39,7 @@ mod tests;
 
 pub use crate::document::options_in;
 pub use book::{BookError, weave_book};
+#[cfg(feature = "files")]
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
 pub use options::{BlockOptions, Show, Style};
