@@ -10,14 +10,12 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::{ThreadPool, prelude::*};
 
+use super::script::STANDARD;
 use crate::document::{Container, Document, Reading, read_files, read_stream, read_text};
 use crate::formula::source::SourceFile;
 use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::notes::report::{Fix, fixes};
-
-/// Standard input is called so on the command line.
-pub(super) const STANDARD: &str = "-";
 
 /// What a file named on the command line led to.
 pub(super) struct Input {

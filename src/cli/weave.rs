@@ -11,9 +11,10 @@ use super::Status;
 use super::arguments::{Global, Weave};
 use super::commands::{Ran, Stop};
 use super::notes_config::Config;
-use super::notes_input::{STANDARD, expanded, identity, standard_input};
+use super::notes_input::{expanded, identity, standard_input};
 use super::output::{Output, shown};
 use super::pictures::{picture_prefix, put_picture, stays_inside};
+use super::script::is_standard;
 use crate::document::{Container, read_bytes, read_stream, standing, utf8};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, harmless};
@@ -90,6 +91,16 @@ fn weavable(files: &[PathBuf], config: &Config) -> Vec<PathBuf> {
     all
 }
 
+/// Reads what a LaTeX document in a folder includes.
+fn loader(folder: &Path) -> impl FnMut(&str) -> Option<SourceFile> + '_ {
+    move |name| {
+        let named = [folder.join(format!("{name}.tex")), folder.join(name)];
+        let path = named.into_iter().find(|path| path.is_file())?;
+        // What cannot be read is LaTeX's to tell.
+        read_input(&path).ok().map(|input| input.file)
+    }
+}
+
 struct Weaver<'a> {
     arguments: &'a Weave,
     options: Options,
@@ -109,9 +120,17 @@ impl Weaver<'_> {
         let woven = match kind {
             Container::Markdown => weave_markdown(&file, &self.options),
             Container::Notebook => weave_notebook(&file, &self.options),
-            Container::Latex | Container::Rst => {
-                let hint = "weave LaTeX as a file; Markdown or a notebook that was taken for it: --as markdown, --as notebook";
-                return Err(usage("results are written into no such page from standard input", hint));
+            // What LaTeX reads stands in a file of its own: that is what goes to standard output.
+            Container::Latex if !self.arguments.check => {
+                weave_latex(&file, "", &mut loader(Path::new("")), &self.options)
+            }
+            Container::Latex => {
+                let hint = "the results of LaTeX stand in another file; check the document by its name";
+                return Err(usage("standard input has no results that could be out of date", hint));
+            }
+            Container::Rst => {
+                let hint = "weave Markdown, LaTeX or a notebook; one that was taken for it: --as markdown, latex or notebook";
+                return Err(usage("results are not written into reStructuredText", hint));
             }
         };
         self.tell(&woven);
@@ -123,9 +142,9 @@ impl Weaver<'_> {
     }
 
     fn file(&self, path: &Path) -> Ran {
-        if path == Path::new(STANDARD) {
+        if is_standard(path) {
             return match self.arguments.output.as_deref() {
-                Some(target) if target != Path::new(STANDARD) => Err(usage(
+                Some(target) if !is_standard(target) => Err(usage(
                     "a page from standard input goes to standard output",
                     "leave out -o, and write > FILE after the command",
                 )),
@@ -224,7 +243,7 @@ impl Weaver<'_> {
     /// A copy that holds results in place of queries. With a problem there is none.
     fn copy(&self, kind: Container, path: &Path, input: &Input, target: &Path) -> Ran {
         let name = path.display().to_string();
-        let standard = target == Path::new(STANDARD);
+        let standard = is_standard(target);
         if !standard && identity(path) == identity(target) {
             return Err(usage(
                 "the copy would take the place of its source",
@@ -268,13 +287,7 @@ impl Weaver<'_> {
         let side = side_name(path);
         let before = standing_text(&side).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let mut load = |name: &str| {
-            let named = [folder.join(format!("{name}.tex")), folder.join(name)];
-            let path = named.into_iter().find(|path| path.is_file())?;
-            // What cannot be read is LaTeX's to tell.
-            read_input(&path).ok().map(|input| input.file)
-        };
-        let woven = weave_latex(&input.file, &before, &mut load, &self.options);
+        let woven = weave_latex(&input.file, &before, &mut loader(&folder), &self.options);
         self.tell(&woven);
         if !self.arguments.check {
             if !woven.unchanged && woven.text != before {

@@ -78,7 +78,15 @@ pub fn read_text(
 /// # Errors
 /// If the file cannot be read, or is too long.
 pub fn read_macros(path: &Path) -> Result<Macros, Diagnostic> {
-    let (file, problems) = load(path)?;
+    macros_in(&path.display().to_string(), read_bytes(path)?)
+}
+
+/// The same of what was read from somewhere else; it is called `name`.
+///
+/// # Errors
+/// If the bytes are no text.
+pub fn macros_in(name: &str, bytes: Vec<u8>) -> Result<Macros, Diagnostic> {
+    let (file, problems) = decoded(name, bytes)?;
     let mut out = Collector::with(Macros::default(), problems);
     scan(file.text(), Container::Latex, &mut out);
     Ok(out.macros)

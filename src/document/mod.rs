@@ -47,7 +47,7 @@ mod vocabulary;
 mod words;
 
 #[cfg(feature = "files")]
-pub use files::{Reading, read_files, read_macros, read_text};
+pub use files::{Reading, macros_in, read_files, read_macros, read_text};
 #[cfg(feature = "files")]
 pub use input::{MAX_BYTES, read_bytes, read_stream, read_string, standing, utf8};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};

@@ -33,14 +33,4 @@ async function main() {
   warm();
 }
 
-/**
- * Browsers compile what runs, and better what runs often: a page is checked beside the first one, so that this does not have to wait
- * for it. What is compiled belongs to the module, in whatever worker it runs.
- */
-async function warm() {
-  const engine = new Engine();
-  for (let i = 0; i < 3; i++) await engine.call({ do: "check", text: PAGE }).catch(() => {});
-  engine.stop();
-}
-
 main();

@@ -134,6 +134,7 @@ REASONS.zh.push(
   // pages of notes
   ["the included file {} was not read", "没有读取所包含的文件 {}"],
   // hints
+  ["remove {} or {}, or write an operand between them", "去掉 {} 或 {},或在其间写上运算对象"],
   ["write what comes after {}, or remove {}", "补上 {} 之后的内容,或去掉 {}"],
   ["define it, for example {}", "请先定义,例如 {}"],
   ["define it first", "请先定义"],
