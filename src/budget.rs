@@ -14,7 +14,7 @@
 
 use std::cell::RefCell;
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::panic::{AssertUnwindSafe, RefUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -63,7 +63,7 @@ impl fmt::Display for Stop {
 impl std::error::Error for Stop {}
 
 /// What tells the time to limits: a program may bring its own.
-pub trait Clock: fmt::Debug + Sync {
+pub trait Clock: fmt::Debug + Sync + RefUnwindSafe {
     /// The time since some moment that stays the same; it never goes back.
     fn now(&self) -> Duration;
 }

@@ -101,6 +101,31 @@ fn loader(folder: &Path) -> impl FnMut(&str) -> Option<SourceFile> + '_ {
     }
 }
 
+/// The results of a LaTeX document, and those that stand beside it.
+fn beside(path: &Path, file: &SourceFile, options: &Options) -> (Woven, String) {
+    let before = standing_text(&side_name(path)).unwrap_or_default();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    (weave_latex(file, &before, &mut loader(folder), options), before)
+}
+
+/// Writes what LaTeX reads beside a document: its results, and the package, if it is not there; its path.
+pub(super) fn put_beside(
+    path: &Path,
+    file: &SourceFile,
+    options: &Options,
+) -> Result<(Woven, Option<PathBuf>), Diagnostic> {
+    let (woven, before) = beside(path, file, options);
+    if !woven.unchanged && woven.text != before {
+        write_file(&side_name(path), &woven.text)?;
+    }
+    let style = path.with_file_name(STYLE);
+    let missing = !style.exists() && file.text().contains(r"\documentclass");
+    if missing {
+        write_file(&style, PACKAGE)?;
+    }
+    Ok((woven, missing.then_some(style)))
+}
+
 struct Weaver<'a> {
     arguments: &'a Weave,
     options: Options,
@@ -284,22 +309,18 @@ impl Weaver<'_> {
     }
 
     fn latex(&self, path: &Path, input: &Input) -> Ran {
-        let side = side_name(path);
-        let before = standing_text(&side).unwrap_or_default();
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let woven = weave_latex(&input.file, &before, &mut loader(&folder), &self.options);
-        self.tell(&woven);
-        if !self.arguments.check {
-            if !woven.unchanged && woven.text != before {
-                write_file(&side, &woven.text).map_err(failed)?;
-            }
-            let style = folder.join(STYLE);
-            if !style.exists() && input.file.text().contains(r"\documentclass") {
-                write_file(&style, PACKAGE).map_err(failed)?;
-                self.say(&format!("{} written", shown(&style)))?;
-            }
+        let name = path.display().to_string();
+        if self.arguments.check {
+            let (woven, _) = beside(path, &input.file, &self.options);
+            self.tell(&woven);
+            return self.finish(&name, &woven);
         }
-        self.finish(&path.display().to_string(), &woven)
+        let (woven, style) = put_beside(path, &input.file, &self.options).map_err(failed)?;
+        self.tell(&woven);
+        if let Some(style) = style {
+            self.say(&format!("{} written", shown(&style)))?;
+        }
+        self.finish(&name, &woven)
     }
 
     /// `polarform weave --mdbook`, and `… --mdbook supports html`.

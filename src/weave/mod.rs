@@ -21,7 +21,8 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod book;
-#[cfg(feature = "files")]
+mod breakable;
+#[cfg(feature = "writing")]
 mod files;
 mod markdown;
 mod markup;
@@ -39,7 +40,7 @@ mod tests;
 
 pub use crate::document::options_in;
 pub use book::{BookError, weave_book};
-#[cfg(feature = "files")]
+#[cfg(feature = "writing")]
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
 pub use options::{BlockOptions, Show, Style};
