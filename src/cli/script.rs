@@ -50,7 +50,7 @@ pub(super) fn scripts_in(folder: &Path) -> Result<Vec<PathBuf>, Box<Failure>> {
     let (message, hint) = match scripts {
         Ok(scripts) if !scripts.is_empty() => return Ok(scripts),
         Ok(_) => (
-            format!("{name}: this folder has no scripts"),
+            format!("{name}: this directory has no scripts"),
             "they end with .polar; any other file is run by its own name",
         ),
         Err(error) => (format!("{name}: {error}"), "check the path"),
