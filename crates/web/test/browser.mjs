@@ -1,6 +1,6 @@
 // The page in a real browser, opened from a file as people do: node test/browser.mjs PAGE [FOLDER for screenshots]
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -427,6 +427,30 @@ const tests = {
     await page.goto(address);
     assert.match(await page.locator("noscript").innerText(), /needs JavaScript/);
     assert.equal(await page.locator("h1").count(), 1);
+    await context.close();
+  },
+
+  async "the report page of the program runs its own script, and nothing else"() {
+    const program = process.env.POLARFORM;
+    if (!program) return;
+    const made = spawnSync(program, ["notes", "check", new URL("../../../examples/slides.md", import.meta.url).pathname, "--report", "html", "-o", "-"], { encoding: "utf8" });
+    assert.match(made.stdout, /^<!DOCTYPE html>/, made.stderr);
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+    await page.route("https://report.test/", (route) => route.fulfill({ contentType: "text/html", body: made.stdout }));
+    await page.goto("https://report.test/");
+    // The script shows its buttons, the style makes the bar.
+    await page.locator(".filters button").first().waitFor();
+    assert.equal(await page.locator(".bar").evaluate((node) => getComputedStyle(node).display), "flex");
+    await shot(page, "report");
+    assert.deepEqual(complaints.splice(0), []);
+    const changed = made.stdout.replace("</body>", "<script>document.title = 'changed'</script></body>");
+    await page.route("https://changed.test/", (route) => route.fulfill({ contentType: "text/html", body: changed }));
+    await page.goto("https://changed.test/");
+    await page.locator(".filters button").first().waitFor();
+    assert.notEqual(await page.title(), "changed");
+    assert.match(complaints.splice(0).join(), /Content Security Policy/);
     await context.close();
   },
 
