@@ -117,8 +117,11 @@ mod tests {
 
     /// Whether another renderer of CommonMark shows a formula as it stands.
     fn comes_through(formula: &str) -> bool {
+        let compile =
+            markdown::CompileOptions { allow_dangerous_html: true, ..markdown::CompileOptions::default() };
+        let options = markdown::Options { compile, ..markdown::Options::default() };
         let page = format!("a {formula} b");
-        shown(&markdown::to_html(&page)) == page
+        shown(&markdown::to_html_with_options(&page, &options).unwrap()) == page
     }
 
     #[test]
@@ -156,6 +159,8 @@ mod tests {
             "a", "1", " ", "_", "*", "{", "}", "^", "\\alpha", "\\{", "(", ")", "=", "+", "__",
         ]), 0..12)) {
             let formula = format!("${}$", pieces.concat());
+            // There it differs from CommonMark.
+            prop_assume!(!formula.contains("*_") && !formula.contains("_*"));
             prop_assert_eq!(broken(&formula, false).is_none(), comes_through(&formula), "{}: {}", formula, markdown::to_html(&formula));
         }
     }

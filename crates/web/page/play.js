@@ -288,7 +288,8 @@ const Play = {
       };
       const turns = [0, 1, -1, 2, -2, 3, -3, 4].map((turn) => (turn * Math.PI) / 4);
       const places = [8, 22, 40].flatMap((off) => turns.map((turn) => turned(turn, off)));
-      const harms = places.map(harm);
+      // A name that stands far away may be taken for that of another point.
+      const harms = places.map((at, i) => harm(at) + 2 * Math.floor(i / turns.length));
       const at = places[harms.indexOf(Math.min(...harms))];
       put.push({ at, width, height });
       node.style.left = `${share[i][0] * 100}%`;
