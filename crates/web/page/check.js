@@ -205,7 +205,7 @@ const Check = {
       Check.say(Check.checked === "" || byId("page").value === "" ? say("empty_check") : "");
     } else {
       const problems = Check.report.problems.map((one) => told(one.message));
-      const words = Check.formulas.length === 0 ? [say("no_formula")] : [say("summary", Check.report)];
+      const words = Check.formulas.length > 0 ? [say("summary", Check.report)] : Check.report.partial ? [] : [say("no_formula")];
       if (Check.report.partial) words.push(say("computing"));
       Check.say([...words, ...problems].join(" "));
       byId("apply-all").hidden = !all.some((one) => one.verdict === "refuted" && one.fixes.length > 0);
