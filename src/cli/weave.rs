@@ -9,6 +9,7 @@ use serde_json::json;
 
 use super::Status;
 use super::arguments::{Global, Weave};
+use super::beside::{STYLE, beside, loader, put_beside, standing_text};
 use super::commands::{Ran, Stop};
 use super::notes_config::Config;
 use super::notes_input::{expanded, identity, standard_input};
@@ -23,11 +24,8 @@ use crate::notes::report::mathml_within;
 use crate::session::Failure;
 use crate::weave::{
     BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, pictures_in, read_input, replace_file,
-    side_name, weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
+    weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
 };
-
-/// The name of the LaTeX package.
-const STYLE: &str = "polarform.sty";
 
 pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
     if matches!(global.format(), Format::Latex | Format::Sympy | Format::Unicode) {
@@ -89,41 +87,6 @@ fn weavable(files: &[PathBuf], config: &Config) -> Vec<PathBuf> {
             }
     });
     all
-}
-
-/// Reads what a LaTeX document in a folder includes.
-fn loader(folder: &Path) -> impl FnMut(&str) -> Option<SourceFile> + '_ {
-    move |name| {
-        let named = [folder.join(format!("{name}.tex")), folder.join(name)];
-        let path = named.into_iter().find(|path| path.is_file())?;
-        // What cannot be read is LaTeX's to tell.
-        read_input(&path).ok().map(|input| input.file)
-    }
-}
-
-/// The results of a LaTeX document, and those that stand beside it.
-fn beside(path: &Path, file: &SourceFile, options: &Options) -> (Woven, String) {
-    let before = standing_text(&side_name(path)).unwrap_or_default();
-    let folder = path.parent().unwrap_or(Path::new(""));
-    (weave_latex(file, &before, &mut loader(folder), options), before)
-}
-
-/// Writes what LaTeX reads beside a document: its results, and the package, if it is not there; its path.
-pub(super) fn put_beside(
-    path: &Path,
-    file: &SourceFile,
-    options: &Options,
-) -> Result<(Woven, Option<PathBuf>), Diagnostic> {
-    let (woven, before) = beside(path, file, options);
-    if !woven.unchanged && woven.text != before {
-        write_file(&side_name(path), &woven.text)?;
-    }
-    let style = path.with_file_name(STYLE);
-    let missing = !style.exists() && file.text().contains(r"\documentclass");
-    if missing {
-        write_file(&style, PACKAGE)?;
-    }
-    Ok((woven, missing.then_some(style)))
 }
 
 struct Weaver<'a> {
@@ -390,11 +353,6 @@ fn failed(problem: Diagnostic) -> Stop {
 
 fn usage(message: &str, hint: &str) -> Stop {
     failed(Diagnostic::error(Code::Usage, message).hint(hint))
-}
-
-/// The text that stands where one is to be written.
-fn standing_text(path: &Path) -> Option<String> {
-    standing(path).and_then(|bytes| String::from_utf8(bytes).ok())
 }
 
 /// Whether a picture that was woven into a document is not there any more.

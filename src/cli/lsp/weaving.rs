@@ -7,8 +7,8 @@ use serde_json::json;
 
 use super::places::Places;
 use crate::budget::Limits;
+use crate::cli::beside::put_beside;
 use crate::cli::pictures::{picture_prefix, put_picture};
-use crate::cli::weave::put_beside;
 use crate::document::{Container, PartKind, latex_parts, markdown_cells, markdown_parts, options_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::Severity;
