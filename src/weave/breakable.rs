@@ -66,7 +66,8 @@ fn emphasized(signs: &[char]) -> Option<char> {
     }
     let meet = |open: &Run, close: &Run| {
         let both = (open.opens && open.closes) || (close.opens && close.closes);
-        let thirds = (open.length + close.length) % 3 == 0 && (open.length % 3 != 0 || close.length % 3 != 0);
+        let third = |length: usize| length.is_multiple_of(3);
+        let thirds = third(open.length + close.length) && !(third(open.length) && third(close.length));
         open.sign == close.sign && open.opens && close.closes && !(both && thirds)
     };
     let mut earlier = runs.iter().enumerate();
