@@ -9,15 +9,15 @@
 //! Unwinding does not print anything: it starts with `resume_unwind`, which skips
 //! the panic hook. (salsa cancels queries in the same way.)
 //!
-//! Where there is no clock, as in WebAssembly without a host that gives one, limits on time never pass; those on
-//! steps are the same everywhere.
+//! Time is told by a [`Clock`] that the limits bring. Without one, as in WebAssembly or in a build without the feature
+//! `clock`, limits on time never pass; those on steps are the same everywhere.
 
 use std::cell::RefCell;
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::panic::{AssertUnwindSafe, RefUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Why a computation was stopped.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,11 +62,41 @@ impl fmt::Display for Stop {
 
 impl std::error::Error for Stop {}
 
+/// What tells the time to limits: a program may bring its own.
+pub trait Clock: fmt::Debug + Sync + RefUnwindSafe {
+    /// The time since some moment that stays the same; it never goes back.
+    fn now(&self) -> Duration;
+}
+
+/// The clock of the system.
+#[cfg(feature = "clock")]
+#[derive(Debug)]
+pub struct SystemClock;
+
+#[cfg(feature = "clock")]
+impl Clock for SystemClock {
+    fn now(&self) -> Duration {
+        static BEGAN: std::sync::LazyLock<std::time::Instant> =
+            std::sync::LazyLock::new(std::time::Instant::now);
+        BEGAN.elapsed()
+    }
+}
+
+/// The clock of limits that say nothing else.
+fn usual_clock() -> Option<&'static dyn Clock> {
+    #[cfg(feature = "clock")]
+    return Some(&SystemClock);
+    #[cfg(not(feature = "clock"))]
+    None
+}
+
 /// The limits of one computation.
 #[derive(Clone, Debug)]
 pub struct Limits {
     /// Time allowed; `None` for no limit. Without meaning where there is no clock.
     pub time: Option<Duration>,
+    /// What tells the time: that of the system if the library has the feature `clock`, else none.
+    pub clock: Option<&'static dyn Clock>,
     /// Steps allowed; `None` for no limit. Unlike time they are the same on every machine.
     pub steps: Option<u64>,
     /// Number of terms (monomials, matrix entries, list items) a value may have.
@@ -87,6 +117,7 @@ impl Default for Limits {
     fn default() -> Self {
         Limits {
             time: None,
+            clock: usual_clock(),
             steps: None,
             terms: 4_000_000,
             bits: 1 << 18,
@@ -94,6 +125,13 @@ impl Default for Limits {
             interrupt: Arc::new(AtomicBool::new(false)),
             watch: None,
         }
+    }
+}
+
+impl Limits {
+    /// The time by the clock of these limits; zero if they have none.
+    pub fn now(&self) -> Duration {
+        self.clock.map_or(Duration::ZERO, Clock::now)
     }
 }
 
@@ -105,7 +143,8 @@ pub const MOST_DEPTH: usize = 20_000;
 
 struct Active {
     limits: Limits,
-    deadline: Option<Instant>,
+    /// By the clock of the limits.
+    deadline: Option<Duration>,
     countdown: u32,
     /// Steps taken, those of inner runs too.
     spent: u64,
@@ -117,9 +156,6 @@ thread_local! {
 
 /// How many [`step`]s pass between two looks at the clock.
 const STEPS_PER_LOOK: u32 = 256;
-
-/// Whether the target can tell the time: `Instant::now` panics where it cannot.
-const CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
 /// Restores the outer limits even when the computation panics.
 struct Restore(Option<Active>);
@@ -146,15 +182,13 @@ impl Drop for Restore {
 /// assert_eq!(result, Err(Stop::Terms { needed: 1000, allowed: 10 }));
 /// ```
 pub fn run<T>(limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
-    run_until(limits.time.filter(|_| CLOCK).and_then(|time| Instant::now().checked_add(time)), limits, work)
+    run_since(limits.now(), limits, work)
 }
 
-/// The same with work that began earlier, some of which is done: the limit on time counts from then on.
-pub fn run_since<T>(began: Instant, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
-    run_until(limits.time.and_then(|time| began.checked_add(time)), limits, work)
-}
-
-fn run_until<T>(deadline: Option<Instant>, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
+/// The same with work that began earlier by the clock of the limits, some of which is done: the limit on time counts
+/// from then on.
+pub fn run_since<T>(began: Duration, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
+    let deadline = limits.time.filter(|_| limits.clock.is_some()).and_then(|time| began.checked_add(time));
     let mut active = Active { limits: limits.clone(), deadline, countdown: STEPS_PER_LOOK, spent: 0 };
     let outer = ACTIVE.with(|slot| {
         let mut slot = slot.borrow_mut();
@@ -219,7 +253,7 @@ fn look() {
                 return Some(Stop::Interrupted);
             }
             let deadline = active.deadline?;
-            (Instant::now() >= deadline).then(|| Stop::Time(active.limits.time.unwrap_or_default()))
+            (active.limits.now() >= deadline).then(|| Stop::Time(active.limits.time.unwrap_or_default()))
         })
     };
     let watch = ACTIVE.with(|slot| slot.borrow().as_ref().and_then(|active| active.limits.watch));
@@ -262,8 +296,11 @@ pub fn charge_bits(count: u64) {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicU64;
+
     use super::*;
 
+    #[cfg(feature = "clock")]
     #[test]
     fn time_runs_out() {
         let limits = Limits { time: Some(Duration::from_millis(5)), ..Limits::default() };
@@ -276,15 +313,36 @@ mod tests {
         steps(1_000_000); // no limits outside
     }
 
-    #[test]
-    fn time_may_have_begun_earlier() {
-        let limits = Limits { time: Some(Duration::from_secs(3600)), ..Limits::default() };
-        let early = Instant::now().checked_sub(Duration::from_secs(3601));
-        if let Some(early) = early {
-            let stopped = run_since(early, &limits, || steps(1000));
-            assert_eq!(stopped, Err(Stop::Time(Duration::from_secs(3600))));
+    /// A clock that is wound by hand.
+    #[derive(Debug)]
+    struct Hand(AtomicU64);
+
+    impl Clock for Hand {
+        fn now(&self) -> Duration {
+            Duration::from_secs(self.0.load(Ordering::Relaxed))
         }
-        assert_eq!(run_since(Instant::now(), &limits, || steps(1000)), Ok(()));
+    }
+
+    static HAND: Hand = Hand(AtomicU64::new(5000));
+
+    #[test]
+    fn time_is_told_by_the_clock_of_the_limits() {
+        let hour = Some(Duration::from_secs(3600));
+        let limits = Limits { time: hour, clock: Some(&HAND), ..Limits::default() };
+        let passed = Err(Stop::Time(Duration::from_secs(3600)));
+        // Work may have begun earlier.
+        assert_eq!(run_since(Duration::from_secs(1000), &limits, || steps(1000)), passed);
+        assert_eq!(run_since(limits.now(), &limits, || steps(1000)), Ok(()));
+        let an_hour_later = || {
+            steps(1000);
+            HAND.0.fetch_add(3600, Ordering::Relaxed);
+            steps(1000);
+        };
+        assert_eq!(run(&limits, an_hour_later), passed);
+        // Without a clock only steps count.
+        let without = Limits { clock: None, steps: Some(5000), ..limits };
+        assert_eq!(run(&without, an_hour_later), Ok(()));
+        assert_eq!(run(&without, || (0..9).for_each(|_| steps(1000))), Err(Stop::Steps(5000)));
     }
 
     #[test]

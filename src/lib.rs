@@ -57,7 +57,10 @@
 //! | --- | --- | --- |
 //! | none | mathematics, language, judge, session, [`scene`] | `default-features = false`: at most 40 crates |
 //! | `figure` | [`figure`] | scenes as SVG, TikZ, JSON and in characters |
-//! | `document` | [`document`] | files of notes taken apart, in any encoding; part of `notes` and `weave` |
+//! | `document` | [`document`] | notes taken apart; part of `notes` and `weave` |
+//! | `files` | files in [`document`] | in any encoding, with those that they include |
+//! | `writing` | files in [`weave`] | written whole, or left as they were |
+//! | `clock` | limits on time | without it, and without a clock of the program, limits count steps |
 //! | `notes` | [`notes`] | a verdict for every formula of lecture notes, and reports |
 //! | `weave` | [`weave`] | results filled into lecture notes, with `figure` |
 //! | `cli` (default) | the program `polarform` | with all of the above |

@@ -81,6 +81,7 @@ fn errors_have_a_place_and_a_hint() {
         Code::BrokenNotebook,
         Code::UnseenFormula,
         Code::FileKind,
+        Code::BrokenFormula,
         Code::UnclosedQuery,
         Code::BlockOption,
         Code::OutOfDate,

@@ -75,6 +75,8 @@ fn a_formula_from_standard_input() {
         (&["eval", "a := 2", "-"], "a + 1", "a = 2\n3\n"),
         (&["check", "-"], "1 + 1 = 2", "proved\n"),
         (&["product", "t", "-"], "t", "h(t1, t2) = t1 t2\n"),
+        (&["interpolate", "--nodes", "0,1", "--values", "-"], "1, 3", "p(t) = 2 t + 1\n"),
+        (&["bezier", "[0, 0], [2, 4]", "--at", "-"], "1/2", "(1, 2)\n"),
         (&["bezier", "-", "--at", "1/2"], "[0, 0], [2, 4]", "(1, 2)\n"),
     ] {
         let ran = run_with(arguments, input.as_bytes());
@@ -105,9 +107,9 @@ fn weaving_from_standard_input_and_in_folders() {
     assert_eq!(run_with(&["weave", "-", "-o", "-"], page.as_bytes()).out, "$f = 1$\n");
     assert_eq!(run_with(&["weave", "-"], b"$ {{ 1/0 }} $\n").status, Some(2));
     for (arguments, input) in [
-        (&["weave", "-", "--as", "latex"][..], page),
+        (&["weave", "-", "--as", "rst"][..], page),
         (&["weave", "-", "-o", "a.md"], page),
-        (&["weave", "-"], r"\documentclass{a}"),
+        (&["weave", "-", "--check"], r"\documentclass{a}"),
     ] {
         let ran = run_with(arguments, input.as_bytes());
         assert!(
@@ -122,7 +124,10 @@ fn weaving_from_standard_input_and_in_folders() {
     assert!(run_with(&["weave", "-", "-o", "-"], shows.as_bytes()).out.starts_with("$f = 1$\n"));
     let paper = "% a paper\n\n\\documentclass{a}\n\\begin{document}\n\\(2 + 2 = 5\\)\n\\end{document}\n";
     assert!(run_with(&["notes", "check", "-"], paper.as_bytes()).out.contains("1 refuted"));
-    assert!(run_with(&["weave", "-"], paper.as_bytes()).err.contains("--as markdown"));
+    // What LaTeX reads goes to standard output.
+    let paper = paper.replace("= 5", r"= \polarform{2 + 2}");
+    let ran = run_with(&["weave", "-"], paper.as_bytes());
+    assert!(ran.status == Some(0) && ran.out.contains("{2 + 2}{4}"), "{}{}", ran.out, ran.err);
 
     let folder = Folder::new("folder");
     fs::create_dir_all(folder.path("book/drafts")).expect("it can be made");
@@ -142,6 +147,47 @@ fn weaving_from_standard_input_and_in_folders() {
     assert!(folder.read("book/a.md").starts_with("$f = 1"));
     assert_eq!(folder.read("book/drafts/b.md"), page);
     assert_eq!(folder.files().len(), 2);
+}
+
+#[test]
+fn standard_input_and_output_of_a_check() {
+    let folder = Folder::new("standard");
+    let page = folder.write("a.md", "So $s + 1 = 3$ and $\\two = 2$.\n");
+    let context = run_with(&["notes", "check", &page, "--context", "-"], b"s := 2");
+    assert!(context.out.contains("1 proved"), "{}{}", context.out, context.err);
+    let macros = run_with(&["notes", "check", &page, "--macros", "-"], b"\\newcommand{\\two}{2}");
+    assert!(macros.out.contains("1 proved"), "{}{}", macros.out, macros.err);
+    let html = run_with(&["notes", "check", &page, "--report", "html", "-o", "-"], b"");
+    assert!(html.out.starts_with("<!DOCTYPE html>") && !folder.files().iter().any(|name| name == "-"));
+    // It can be read once.
+    for arguments in [
+        &["notes", "check", "-", "--context", "-"][..],
+        &["notes", "check", &page, "--context", "-", "--macros", "-"],
+    ] {
+        let ran = run_with(arguments, b"s := 2");
+        assert!(ran.status == Some(2) && ran.err.contains("read once"), "{}{}", ran.out, ran.err);
+    }
+    let drawn = run(&["figure", "basis", "2", "--format", "svg", "-o", "-"]);
+    assert!(drawn.out.starts_with("<svg"), "{}", drawn.err);
+}
+
+#[test]
+fn a_folder_of_scripts() {
+    let folder = Folder::new("scripts");
+    folder.write("b.polar", "a + 1\n");
+    folder.write("a.polar", "a := 1\na\n");
+    folder.write("c.txt", "nothing\n");
+    let ran = run(&["run", &folder.path("")]);
+    // Each has a session of its own: what the first defines the second does not know.
+    let lines: Vec<&str> = ran.out.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(lines, ["a = 1", "1", "a + 1"], "{}", ran.err);
+    let empty = Folder::new("no-scripts");
+    let ran = run(&["run", &empty.path("")]);
+    assert!(
+        ran.status == Some(2) && ran.err.contains("has no scripts") && ran.err.contains(".polar"),
+        "{}",
+        ran.err
+    );
 }
 
 /// A page with a wrong, a true, an unread and a strange formula.

@@ -359,6 +359,45 @@ fn marks_completions_and_results() {
 }
 
 #[test]
+fn results_of_notebooks_and_latex() {
+    let folder = Folder::new("lsp-weave-others");
+    let notebook = r#"{"cells": [{"cell_type": "markdown", "source": ["so $1 + 1 = {{ 1 + 1 }}$\n"]}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}"#;
+    let latex = "\\documentclass{article}\\usepackage{polarform}\n\\begin{document}\n$1 + 2 = \\polarform{1 + 2}$\n\\end{document}\n";
+    let whole = json!({"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}});
+    let mut client = Client::ready(json!({}));
+    let fill = |client: &mut Client, uri: &str, language: &str, page: &str| {
+        client.open(uri, language, page);
+        let only = json!({"diagnostics": [], "only": ["source.polarform.weave"]});
+        let offered = client.actions(uri, &whole, only).len();
+        client.ask("workspace/executeCommand", json!({"command": "polarform.weave", "arguments": [uri]}));
+        offered
+    };
+    let file = |name: &str| format!("file://{}", folder.path(name));
+    assert_eq!(fill(&mut client, &file("a.ipynb"), "json", notebook), 1);
+    let edit = client.told("workspace/applyEdit")["edit"].take();
+    assert!(edit.to_string().contains("$<!-- $1 + 1 = {{ 1 + 1 }}$ -->"), "{edit}");
+    // Its results stand beside it, as those of the program do, also before it is saved.
+    assert_eq!(fill(&mut client, &file("b.tex"), "latex", latex), 1);
+    // A document that is nowhere has no place for them, and a page without a query no action.
+    assert_eq!(fill(&mut client, "untitled:c", "latex", latex), 1);
+    let said = client.told("window/showMessage");
+    assert!(said["message"].as_str().is_some_and(|text| text.contains("save the document first")), "{said}");
+    let by_program = Folder::new("lsp-weave-program");
+    let other = by_program.write("b.tex", latex);
+    crate::common::run(&["weave", "--quiet", &other]);
+    let wait = std::time::Instant::now();
+    while !std::path::Path::new(&folder.path("b.polarform.tex")).exists()
+        && wait.elapsed() < Duration::from_secs(20)
+    {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    assert_eq!(folder.read("b.polarform.tex"), by_program.read("b.polarform.tex"));
+    assert!(folder.read("b.polarform.tex").contains("{1 + 2}{3}"));
+    assert_eq!(fill(&mut client, &file("e.tex"), "latex", "$1 + 1 = 2$"), 0);
+    assert_eq!(client.leave(), Some(0));
+}
+
+#[test]
 fn an_edit_is_answered_before_the_page_is_judged_anew() {
     let mut client = Client::ready(json!({}));
     let uri = "untitled:long";

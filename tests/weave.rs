@@ -223,6 +223,20 @@ fn mdbook() {
     assert!(ran.err.contains("a.md:1:6"), "{}", ran.err);
     assert_eq!(run_with(&["weave", "--mdbook"], b"[]").status, Some(2));
     assert_eq!(run(&["weave"]).status, Some(2));
+    // What mdBook would take apart is told, but not if another preprocessor takes formulas out first.
+    let broken = |config: &str| {
+        let content = r"So $\\{1, 2\\}$ and $\\hat{b}_i = c_{j}$, but $b_i = c_j$.";
+        format!(
+            r#"[{{"config": {{"preprocessor": {config}}}}}, {{"items": [{{"Chapter": {{"name": "One", "content": "{content}"}}}}]}}]"#
+        )
+    };
+    let ran = run_with(&["weave", "--mdbook"], broken(r#"{"polarform": {}}"#).as_bytes());
+    assert_eq!((ran.status, ran.err.matches("warning[E610]").count()), (Some(0), 2), "{}", ran.err);
+    assert!(ran.err.contains("loses its stroke") && ran.err.contains("slanted"), "{}", ran.err);
+    let ran = run_with(&["weave", "--mdbook"], broken(r#"{"polarform": {}, "katex": {}}"#).as_bytes());
+    assert!(ran.status == Some(0) && ran.err.is_empty(), "{}", ran.err);
+    let ran = run_with(&["weave", "--mdbook", "--mathml"], broken("{}").as_bytes());
+    assert!(ran.status == Some(0) && ran.err.is_empty(), "{}", ran.err);
 }
 
 const LECTURE: &str = r"\documentclass{article}

@@ -1,21 +1,29 @@
 // Puts the page, its scripts, KaTeX with its fonts and the module into one HTML file: node bundle.mjs MODULE.xz PAGE
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
 
 const [, , modulePath, pagePath] = process.argv;
 const here = new URL(".", import.meta.url);
 const read = (path) => readFileSync(new URL(path, here), "utf8");
 
+// Faces that formulas of notes seldom need are not carried along: a browser makes bold and slanted ones of those that are there, and
+// takes the system's letters for the others.
+const LEFT_OUT = /KaTeX_(Main-BoldItalic|Main-Italic|Math-BoldItalic|Caligraphic-Bold|Fraktur-Bold|SansSerif-\w+|Typewriter-\w+)\./;
+const FROM_SYSTEM = { KaTeX_SansSerif: ["Helvetica", "Arial", "Liberation Sans", "DejaVu Sans"], KaTeX_Typewriter: ["Courier New", "Liberation Mono", "DejaVu Sans Mono"] };
+
 // Browsers that have WebAssembly with exceptions take fonts as woff2.
 function katexStyle() {
-  const style = read("node_modules/katex/dist/katex.min.css");
-  return style.replace(/src:url\((fonts\/[\w-]+\.woff2)\)[^;}]*/g, (_, path) => {
+  const style = read("node_modules/katex/dist/katex.min.css").replace(/@font-face\{[^}]*\}/g, (face) => (LEFT_OUT.test(face) ? "" : face));
+  const carried = style.replace(/src:url\((fonts\/[\w-]+\.woff2)\)[^;}]*/g, (_, path) => {
     const font = readFileSync(new URL(`node_modules/katex/dist/${path}`, here)).toString("base64");
     return `src:url(data:font/woff2;base64,${font}) format("woff2")`;
   });
+  const local = Object.entries(FROM_SYSTEM).map(([name, faces]) => `@font-face{font-family:${name};src:${faces.map((face) => `local("${face}")`).join(",")}}`);
+  return [carried, ...local].join("");
 }
 
-const PARTS = ["words", "reasons", "show", "engine", "ask", "check", "play", "link", "main"];
+const PARTS = ["words", "reasons", "problems", "translate", "show", "engine", "ask", "check", "play", "link", "warm", "main"];
 const script = `"use strict";(() => {\n${PARTS.map((name) => read(`page/${name}.js`)).join("\n")}\n})();`;
 const style = `${katexStyle()}\n${read("page/style.css")}`;
 const katex = read("node_modules/katex/dist/katex.min.js");
@@ -41,4 +49,5 @@ const policy = [
 const values = { policy, style, katex, unpack, script, version, worker: read("page/worker.js"), module: module.toString("base64") };
 const page = read("page/index.html").replace(/\{\{(\w+)\}\}/g, (_, name) => values[name]);
 writeFileSync(pagePath, page);
-console.error(`build: ${pagePath}: ${Buffer.byteLength(page)} bytes`);
+// As a server sends it.
+console.error(`build: ${pagePath}: ${Buffer.byteLength(page)} bytes, ${gzipSync(page, { level: 9 }).length} compressed by gzip`);

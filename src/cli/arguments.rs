@@ -204,7 +204,7 @@ pub(super) enum Command {
     },
     /// Run a script of statements
     Run {
-        /// The file ('-' for standard input)
+        /// The file ('-' for standard input), or a folder: its files that end with .polar, each in a session of its own
         file: PathBuf,
         /// Stop at the first error
         #[arg(long)]
@@ -342,7 +342,7 @@ pub(super) struct PolarArguments {
     #[arg(long, value_parser = one_of(Method::ALL, Method::name), default_value = "elementary", value_name = "METHOD")]
     pub method: Method,
     /// The value at these arguments; hat(v) is a vector
-    #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true, value_parser = formula)]
     pub at: Option<String>,
     /// Show the steps
     #[arg(long)]
@@ -365,7 +365,7 @@ pub(super) struct MatrixArguments {
     #[arg(long)]
     pub inverse: bool,
     /// The interval of Bernstein bases
-    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true, value_parser = formula)]
     pub interval: Option<String>,
     /// The matrix from Bézier points of this degree to those of a higher one
     #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
@@ -382,21 +382,21 @@ pub(super) struct BezierArguments {
     #[arg(allow_hyphen_values = true, value_parser = formula)]
     pub points: String,
     /// The interval (0 and 1 if not given)
-    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true, value_parser = formula)]
     pub interval: Option<String>,
     /// Weights, for a rational curve
-    #[arg(long, value_name = "W,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, value_parser = formula)]
     pub weights: Option<String>,
     #[command(flatten)]
     pub change: Change,
     /// The value at a parameter
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = formula)]
     pub at: Option<String>,
     /// De Casteljau's scheme for a parameter, or for as many as the degree
-    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, value_parser = formula, conflicts_with = "at")]
     pub scheme: Option<String>,
     /// The parts between these parameters
-    #[arg(long, visible_alias = "split", value_name = "T,...", allow_hyphen_values = true,
+    #[arg(long, visible_alias = "split", value_name = "T,...", allow_hyphen_values = true, value_parser = formula,
           conflicts_with_all = ["at", "scheme"])]
     pub subdivide: Option<String>,
 }
@@ -425,31 +425,31 @@ pub(super) struct BsplineArguments {
     #[arg(long, short = 'n', value_name = "N")]
     pub degree: usize,
     /// The knots t_0, t_1, ..., all of them
-    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, value_parser = formula)]
     pub knots: String,
     /// Control points: one less than the knots minus the degree
-    #[arg(long, value_name = "D,...", allow_hyphen_values = true, group = "control",
+    #[arg(long, value_name = "D,...", allow_hyphen_values = true, value_parser = formula, group = "control",
           required_unless_present_any = ["basis", "listed"])]
     pub points: Option<String>,
     /// Weights, for a rational curve
-    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "control")]
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, value_parser = formula, requires = "control")]
     pub weights: Option<String>,
     /// The basis function with this number, as a piecewise polynomial
     #[arg(long, value_name = "I", conflicts_with = "control")]
     pub basis: Option<usize>,
     /// Insert knots
-    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, value_parser = formula)]
     pub insert: Option<String>,
     /// Remove a knot, where that is exact
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = formula)]
     pub remove: Option<String>,
     #[command(flatten)]
     pub change: Change,
     /// The value at a parameter
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = formula)]
     pub at: Option<String>,
     /// De Boor's scheme for a parameter, or for as many as the degree
-    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, value_parser = formula, conflicts_with = "at")]
     pub scheme: Option<String>,
     /// The knot interval of --at, --scheme or --insert, if symbols hide it
     #[arg(long, value_name = "J")]
@@ -466,22 +466,22 @@ pub(super) struct BsplineArguments {
 #[derive(Debug, Args)]
 pub(super) struct Interpolate {
     /// The nodes
-    #[arg(long, value_name = "X0,X1,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X0,X1,...", allow_hyphen_values = true, value_parser = formula)]
     pub nodes: String,
     /// Values at the nodes, points, or for hermite lists [f, f', ...]
-    #[arg(long, value_name = "Y0,Y1,...", allow_hyphen_values = true)]
+    #[arg(long, value_name = "Y0,Y1,...", allow_hyphen_values = true, value_parser = formula)]
     pub values: String,
     /// How to interpolate
     #[arg(long, value_enum, default_value_t = Interpolation::Lagrange, value_name = "METHOD")]
     pub method: Interpolation,
     /// The value at this parameter
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = formula)]
     pub at: Option<String>,
     /// Ends of a spline: natural, clamped, periodic or not_a_knot
     #[arg(long, value_name = "ENDS")]
     pub ends: Option<String>,
     /// Slopes of a spline with clamped ends
-    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true, value_parser = formula)]
     pub slopes: Option<String>,
     /// Unknowns of the system of a spline: moments or slopes
     #[arg(long, value_name = "UNKNOWNS")]

@@ -8,7 +8,7 @@ use super::Status;
 use super::argument_reader::{ArgumentReader, Failed, bound};
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
 use super::output::{Output, Trouble};
-use super::script::script_file;
+use super::script::{script_file, scripts_in};
 use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, applied, call, named};
@@ -116,6 +116,7 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             }
             Ok(status)
         }
+        Command::Run { file, stop } if file.is_dir() => scripts(session, global, output, file, *stop),
         Command::Run { file, stop } => script(session, output, file, *stop),
         Command::Polar(wanted) => polar(wanted, session, output),
         Command::Sum(two) => combine(session, output, two, "sum"),
@@ -423,6 +424,21 @@ fn is_usual(note: &Diagnostic) -> bool {
 
 fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ran {
     run_all(session, output, &script_file(path)?, stop)
+}
+
+/// The scripts of a folder, in the order of their names.
+fn scripts(session: &mut Session, global: &Global, output: &Output, folder: &Path, stop: bool) -> Ran {
+    let mut status = Status::Fine;
+    for file in scripts_in(folder)? {
+        let arrangement = session.arrangement;
+        *session = Session::new(global.limits());
+        session.arrangement = arrangement;
+        if !output.quiet {
+            output.line(&format!("# {}", file.display()))?;
+        }
+        status = status.max(script(session, output, &file, stop)?);
+    }
+    Ok(status)
 }
 
 fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {

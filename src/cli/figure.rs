@@ -10,6 +10,7 @@ use super::commands::Ran;
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
 use super::output::{Output, PREVIEW, Trouble};
 use super::raster;
+use super::script::is_standard;
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, call, named};
@@ -54,7 +55,7 @@ pub(super) fn run(
     let scene = changed((**scene).clone().in_language(output.language.code()), arguments);
     let drawing = output.limited(|| draw(&scene, target, arguments))?;
     let drawing = drawing.map_err(|problem| Trouble::Problem(Box::new(problem)))?;
-    match &arguments.output {
+    match arguments.output.as_deref().filter(|path| !is_standard(path)) {
         Some(path) => write_file(path, &drawing).map_err(|problem| Trouble::Problem(Box::new(problem)))?,
         None => output.bytes(&drawing)?,
     }

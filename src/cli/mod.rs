@@ -2,6 +2,7 @@
 
 mod argument_reader;
 mod arguments;
+mod beside;
 mod commands;
 mod curves;
 mod figure;

@@ -14,10 +14,11 @@ use super::arguments::Global;
 use super::commands::{Ran, Stop};
 use super::notes_arguments::{Notes, NotesCheck, ReportKind};
 use super::notes_config::Config;
-use super::notes_input::{Input, STANDARD, expanded, gather, identity, read_all};
+use super::notes_input::{Input, expanded, gather, identity, read_all};
 use super::output::{Output, shown};
+use super::script::{content, is_standard};
 use super::watch::Watch;
-use crate::document::{Container, Reading, read_macros, read_string};
+use crate::document::{Container, Reading, macros_in, utf8};
 use crate::formula::source::SourceFile;
 use crate::judge::page::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -144,27 +145,45 @@ struct Check<'a> {
 impl Check<'_> {
     /// A report must not take the place of the notes.
     fn refuse_overwriting(&self) -> Result<(), Stop> {
-        let Some(target) = &self.arguments.output else { return Ok(()) };
-        let shared = self.arguments.context.iter().chain(&self.arguments.macros);
-        let sources = self.files.iter().chain(shared);
-        if sources.into_iter().any(|source| identity(source) == identity(target)) {
+        let shared = || self.arguments.context.iter().chain(&self.arguments.macros);
+        let sources = || self.files.iter().chain(shared());
+        if sources().filter(|path| is_standard(path)).count() > 1 {
+            return Err(usage(
+                "standard input is read once",
+                "name a file for one of the two, in place of '-'",
+            ));
+        }
+        let Some(target) = self.target() else { return Ok(()) };
+        if sources().any(|source| identity(source) == identity(target)) {
             let message = format!("the report would overwrite {}", target.display());
             return Err(usage(&message, "give another name after -o"));
         }
         Ok(())
     }
 
+    /// The file of the report, if it goes to one.
+    fn target(&self) -> Option<&Path> {
+        self.arguments.output.as_deref().filter(|path| !is_standard(path))
+    }
+
     fn options(&self) -> Result<Options, Stop> {
         let context = match self.arguments.context.as_ref().or(self.config.context.as_ref()) {
             None => None,
-            Some(path) => Some(read_string(path).map_err(failed)?),
+            Some(path) => {
+                let (name, bytes) = content(path);
+                Some(bytes.and_then(|bytes| utf8(&name, bytes)).map_err(failed)?)
+            }
         };
         Ok(Options { limits: self.global.limits_or(SECONDS), context })
     }
 
     fn reading(&self) -> Result<Reading, Stop> {
         let macros = self.arguments.macros.as_ref().or(self.config.macros.as_ref());
-        let macros = macros.map(|path| read_macros(path)).transpose().map_err(failed)?;
+        let macros = macros.map(|path| {
+            let (name, bytes) = content(path);
+            bytes.and_then(|bytes| macros_in(&name, bytes))
+        });
+        let macros = macros.transpose().map_err(failed)?;
         let kind = self.arguments.kind.map(Container::from);
         Ok(Reading { kind, macros: macros.unwrap_or_default(), text: None })
     }
@@ -217,7 +236,7 @@ impl Check<'_> {
 
     /// Puts the suggestions into the files until none is left, and reports.
     fn fix(&self) -> Ran {
-        if self.files.iter().any(|path| path.as_os_str() == STANDARD) {
+        if self.files.iter().any(|path| is_standard(path)) {
             return Err(usage("standard input cannot be fixed in place", "--diff shows a patch for it"));
         }
         let options = self.options()?;
@@ -278,7 +297,7 @@ impl Check<'_> {
         let color = self.global.color;
         let text = match self.kind {
             ReportKind::Text => {
-                let terminal = self.arguments.output.is_none() && io::stdout().is_terminal();
+                let terminal = self.target().is_none() && io::stdout().is_terminal();
                 let (color, verbose) = (color.wanted(terminal), self.arguments.verbose);
                 let options = TextOptions { color, verbose, quiet: self.output.quiet };
                 render_text(&reports, options)
@@ -289,7 +308,7 @@ impl Check<'_> {
             ReportKind::Github => render_github(&reports, self.arguments.verbose),
             ReportKind::Junit => render_junit(&reports),
         };
-        match &self.arguments.output {
+        match self.target() {
             None => self.output.text(&text)?,
             Some(path) => {
                 fs::write(path, text).map_err(|error| {
@@ -323,7 +342,7 @@ impl Check<'_> {
     /// Checks, and checks again what changes, until Ctrl-C.
     fn watch(&self) -> Ran {
         let files = &self.files;
-        if files.iter().any(|path| path.as_os_str() == STANDARD) {
+        if files.iter().any(|path| is_standard(path)) {
             return Err(usage("standard input cannot be watched", "name a file"));
         }
         let mut options = self.options()?;

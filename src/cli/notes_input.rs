@@ -10,14 +10,12 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::{ThreadPool, prelude::*};
 
+use super::script::STANDARD;
 use crate::document::{Container, Document, Reading, read_files, read_stream, read_text};
 use crate::formula::source::SourceFile;
 use crate::judge::page::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::notes::report::{Fix, fixes};
-
-/// Standard input is called so on the command line.
-pub(super) const STANDARD: &str = "-";
 
 /// What a file named on the command line led to.
 pub(super) struct Input {
@@ -157,18 +155,7 @@ fn read_one(path: &Path, reading: &Reading, fixing: bool, report: impl Fn(&Docum
 /// else Markdown.
 pub(super) fn standard_input(kind: Option<Container>) -> Result<(Vec<u8>, Container), Diagnostic> {
     let bytes = read_stream("standard input", io::stdin().lock())?;
-    let begins = |with: &str| bytes.trim_ascii_start().starts_with(with.as_bytes());
-    // A page in Markdown may show a document of LaTeX, in a block of code.
-    let lines = || bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    let fenced = |line: &[u8]| line.starts_with(b"```") || line.starts_with(b"~~~");
-    let opens = |line: &[u8]| line.starts_with(br"\documentclass") || line.starts_with(br"\begin{document}");
-    let holds = |part: &str| bytes.windows(part.len()).any(|window| window == part.as_bytes());
-    let guess = || match () {
-        () if lines().take_while(|line| !fenced(line)).any(opens) => Container::Latex,
-        () if begins("{") && holds("\"cells\"") => Container::Notebook,
-        () => Container::Markdown,
-    };
-    let kind = kind.unwrap_or_else(guess);
+    let kind = kind.unwrap_or_else(|| Container::guess(&bytes));
     Ok((bytes, kind))
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::time::Duration;
 
 use smallvec::SmallVec;
 
@@ -47,8 +47,8 @@ pub(super) struct Output {
     pub quiet: bool,
     color: bool,
     limits: crate::budget::Limits,
-    /// When the statement began that is printed.
-    began: Mutex<Instant>,
+    /// When the statement began that is printed, by the clock of the limits.
+    began: Mutex<Duration>,
 }
 
 impl Output {
@@ -60,6 +60,7 @@ impl Output {
             Some(0) => f64::INFINITY,
             Some(points) => f64::from(points),
         };
+        let limits = global.limits();
         Output {
             format: global.format(),
             notation,
@@ -69,14 +70,14 @@ impl Output {
             verbose: global.verbose,
             quiet: global.quiet,
             color,
-            limits: global.limits(),
-            began: Mutex::new(Instant::now()),
+            began: Mutex::new(limits.now()),
+            limits,
         }
     }
 
     /// A statement begins: what is printed of it has the time that its evaluation leaves.
     pub fn begin(&self) {
-        *self.began.lock().unwrap_or_else(PoisonError::into_inner) = Instant::now();
+        *self.began.lock().unwrap_or_else(PoisonError::into_inner) = self.limits.now();
     }
 
     /// One line of results.

@@ -9,11 +9,13 @@ use serde_json::json;
 
 use super::Status;
 use super::arguments::{Global, Weave};
+use super::beside::{STYLE, beside, loader, put_beside, standing_text};
 use super::commands::{Ran, Stop};
 use super::notes_config::Config;
-use super::notes_input::{STANDARD, expanded, identity, standard_input};
+use super::notes_input::{expanded, identity, standard_input};
 use super::output::{Output, shown};
 use super::pictures::{picture_prefix, put_picture, stays_inside};
+use super::script::is_standard;
 use crate::document::{Container, read_bytes, read_stream, standing, utf8};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, harmless};
@@ -22,11 +24,8 @@ use crate::notes::report::mathml_within;
 use crate::session::Failure;
 use crate::weave::{
     BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, pictures_in, read_input, replace_file,
-    side_name, weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
+    weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
 };
-
-/// The name of the LaTeX package.
-const STYLE: &str = "polarform.sty";
 
 pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
     if matches!(global.format(), Format::Latex | Format::Sympy | Format::Unicode) {
@@ -109,9 +108,17 @@ impl Weaver<'_> {
         let woven = match kind {
             Container::Markdown => weave_markdown(&file, &self.options),
             Container::Notebook => weave_notebook(&file, &self.options),
-            Container::Latex | Container::Rst => {
-                let hint = "weave LaTeX as a file; Markdown or a notebook that was taken for it: --as markdown, --as notebook";
-                return Err(usage("results are written into no such page from standard input", hint));
+            // What LaTeX reads stands in a file of its own: that is what goes to standard output.
+            Container::Latex if !self.arguments.check => {
+                weave_latex(&file, "", &mut loader(Path::new("")), &self.options)
+            }
+            Container::Latex => {
+                let hint = "the results of LaTeX stand in another file; check the document by its name";
+                return Err(usage("standard input has no results that could be out of date", hint));
+            }
+            Container::Rst => {
+                let hint = "weave Markdown, LaTeX or a notebook; one that was taken for it: --as markdown, latex or notebook";
+                return Err(usage("results are not written into reStructuredText", hint));
             }
         };
         self.tell(&woven);
@@ -123,9 +130,9 @@ impl Weaver<'_> {
     }
 
     fn file(&self, path: &Path) -> Ran {
-        if path == Path::new(STANDARD) {
+        if is_standard(path) {
             return match self.arguments.output.as_deref() {
-                Some(target) if target != Path::new(STANDARD) => Err(usage(
+                Some(target) if !is_standard(target) => Err(usage(
                     "a page from standard input goes to standard output",
                     "leave out -o, and write > FILE after the command",
                 )),
@@ -224,7 +231,7 @@ impl Weaver<'_> {
     /// A copy that holds results in place of queries. With a problem there is none.
     fn copy(&self, kind: Container, path: &Path, input: &Input, target: &Path) -> Ran {
         let name = path.display().to_string();
-        let standard = target == Path::new(STANDARD);
+        let standard = is_standard(target);
         if !standard && identity(path) == identity(target) {
             return Err(usage(
                 "the copy would take the place of its source",
@@ -265,28 +272,18 @@ impl Weaver<'_> {
     }
 
     fn latex(&self, path: &Path, input: &Input) -> Ran {
-        let side = side_name(path);
-        let before = standing_text(&side).unwrap_or_default();
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let mut load = |name: &str| {
-            let named = [folder.join(format!("{name}.tex")), folder.join(name)];
-            let path = named.into_iter().find(|path| path.is_file())?;
-            // What cannot be read is LaTeX's to tell.
-            read_input(&path).ok().map(|input| input.file)
-        };
-        let woven = weave_latex(&input.file, &before, &mut load, &self.options);
-        self.tell(&woven);
-        if !self.arguments.check {
-            if !woven.unchanged && woven.text != before {
-                write_file(&side, &woven.text).map_err(failed)?;
-            }
-            let style = folder.join(STYLE);
-            if !style.exists() && input.file.text().contains(r"\documentclass") {
-                write_file(&style, PACKAGE).map_err(failed)?;
-                self.say(&format!("{} written", shown(&style)))?;
-            }
+        let name = path.display().to_string();
+        if self.arguments.check {
+            let (woven, _) = beside(path, &input.file, &self.options);
+            self.tell(&woven);
+            return self.finish(&name, &woven);
         }
-        self.finish(&path.display().to_string(), &woven)
+        let (woven, style) = put_beside(path, &input.file, &self.options).map_err(failed)?;
+        self.tell(&woven);
+        if let Some(style) = style {
+            self.say(&format!("{} written", shown(&style)))?;
+        }
+        self.finish(&name, &woven)
     }
 
     /// `polarform weave --mdbook`, and `… --mdbook supports html`.
@@ -356,11 +353,6 @@ fn failed(problem: Diagnostic) -> Stop {
 
 fn usage(message: &str, hint: &str) -> Stop {
     failed(Diagnostic::error(Code::Usage, message).hint(hint))
-}
-
-/// The text that stands where one is to be written.
-fn standing_text(path: &Path) -> Option<String> {
-    standing(path).and_then(|bytes| String::from_utf8(bytes).ok())
 }
 
 /// Whether a picture that was woven into a document is not there any more.

@@ -52,6 +52,7 @@ impl Collector {
     }
 
     /// The macros and problems that it has so far.
+    #[cfg(feature = "files")]
     pub(super) fn known(&self) -> (Macros, Vec<Diagnostic>) {
         (self.macros.clone(), self.problems.clone())
     }

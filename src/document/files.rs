@@ -8,7 +8,7 @@ use super::collect::{Collector, Include};
 use super::decode::decode;
 use super::input::read_bytes;
 use super::macros::Macros;
-use super::{Container, scan, tex};
+use super::{Container, one, scan, tex};
 use crate::document::Document;
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
@@ -78,83 +78,18 @@ pub fn read_text(
 /// # Errors
 /// If the file cannot be read, or is too long.
 pub fn read_macros(path: &Path) -> Result<Macros, Diagnostic> {
-    let (file, problems) = load(path)?;
+    macros_in(&path.display().to_string(), read_bytes(path)?)
+}
+
+/// The same of what was read from somewhere else; it is called `name`.
+///
+/// # Errors
+/// If the bytes are no text.
+pub fn macros_in(name: &str, bytes: Vec<u8>) -> Result<Macros, Diagnostic> {
+    let (file, problems) = decoded(name, bytes)?;
     let mut out = Collector::with(Macros::default(), problems);
     scan(file.text(), Container::Latex, &mut out);
     Ok(out.macros)
-}
-
-pub(super) fn one(file: SourceFile, kind: Container, mut out: Collector) -> Document {
-    scan(file.text(), kind, &mut out);
-    for Include { name, place } in std::mem::take(&mut out.includes) {
-        let unread = Diagnostic::warning(Code::Include, format!("the included file {name} was not read"));
-        out.problem(unread.at(place).hint("check the page as a file, or that file by itself"));
-    }
-    out.into_document(file)
-}
-
-/// Endings of files by how they are written; a name without ending is Markdown.
-const ENDINGS: &[(Container, &[&str])] = &[
-    (
-        Container::Markdown,
-        &[
-            "md", "markdown", "mdown", "mkd", "mkdn", "mdwn", "mdx", "qmd", "rmd", "jmd", "myst", "txt",
-            "text",
-        ],
-    ),
-    (Container::Rst, &["rst", "rest"]),
-    (Container::Latex, &["tex", "ltx", "latex", "sty", "cls"]),
-    (Container::Notebook, &["ipynb"]),
-];
-
-/// Endings of files that pandoc turns into Markdown, with the names of their formats.
-const CONVERTIBLE: &[(&str, &str)] = &[
-    ("typ", "Typst"),
-    ("org", "Org"),
-    ("html", "HTML"),
-    ("htm", "HTML"),
-    ("xhtml", "HTML"),
-    ("docx", "Word"),
-    ("odt", "OpenDocument"),
-    ("epub", "EPUB"),
-    ("textile", "Textile"),
-    ("wiki", "MediaWiki"),
-    ("mediawiki", "MediaWiki"),
-    ("typst", "Typst"),
-];
-
-impl Container {
-    /// The kind of a file by the ending of its name.
-    ///
-    /// # Errors
-    /// [`Code::FileKind`] if files with this ending are not read.
-    pub fn of(path: &Path) -> Result<Container, Diagnostic> {
-        let Some(ending) = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase())
-        else {
-            return Ok(Container::Markdown);
-        };
-        let known = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
-        if let Some((kind, _)) = known {
-            return Ok(*kind);
-        }
-        let name = path.display();
-        Err(match CONVERTIBLE.iter().find(|(known, _)| *known == ending) {
-            Some((_, format)) => {
-                let stem = path.with_extension("md");
-                Diagnostic::error(Code::FileKind, format!("{name}: {format} is not read")).hint(format!(
-                    "turn it into Markdown and check that: pandoc {name} -t markdown -o {}",
-                    stem.display()
-                ))
-            }
-            None => Diagnostic::error(
-                Code::FileKind,
-                format!("{name}: files that end with .{ending} are not known"),
-            )
-            .hint(
-                "if it is text with formulas, say how it is written: --as markdown, rst, latex or notebook",
-            ),
-        })
-    }
 }
 
 /// Reads files and those that they include into documents.

@@ -21,14 +21,18 @@ mod clean;
 mod code_spans;
 mod collect;
 mod cursor;
+#[cfg(feature = "files")]
 mod decode;
 mod directives;
+#[cfg(feature = "files")]
 mod files;
 mod front;
 mod html;
 mod inline;
+#[cfg(feature = "files")]
 mod input;
 mod item;
+mod kinds;
 mod macros;
 mod notebook;
 mod parts;
@@ -42,7 +46,9 @@ mod text;
 mod vocabulary;
 mod words;
 
-pub use files::{Reading, read_files, read_macros, read_text};
+#[cfg(feature = "files")]
+pub use files::{Reading, macros_in, read_files, read_macros, read_text};
+#[cfg(feature = "files")]
 pub use input::{MAX_BYTES, read_bytes, read_stream, read_string, standing, utf8};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};
 pub use macros::Macros;
@@ -50,7 +56,8 @@ pub use notebook::{Cell, markdown_cells};
 pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};
 
 use crate::formula::source::SourceFile;
-use collect::Collector;
+use crate::language::diagnostic::{Code, Diagnostic};
+use collect::{Collector, Include};
 
 /// How the formulas stand in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +72,7 @@ pub enum Container {
     Notebook,
 }
 
-/// Takes a text apart. Files that it includes are not read, and it says so; [`read_files`] reads them.
+/// Takes a text apart. Files that it includes are not read, and it says so; `read_files`, of the feature `files`, reads them.
 ///
 /// Cost: linear in the length of the text.
 ///
@@ -79,7 +86,16 @@ pub enum Container {
 /// assert_eq!(notes.file.line_column(formula.span.start), (1, 6));
 /// ```
 pub fn document(file: SourceFile, kind: Container) -> Document {
-    files::one(file, kind, Collector::default())
+    one(file, kind, Collector::default())
+}
+
+fn one(file: SourceFile, kind: Container, mut out: Collector) -> Document {
+    scan(file.text(), kind, &mut out);
+    for Include { name, place } in std::mem::take(&mut out.includes) {
+        let unread = Diagnostic::warning(Code::Include, format!("the included file {name} was not read"));
+        out.problem(unread.at(place).hint("check the page as a file, or that file by itself"));
+    }
+    out.into_document(file)
 }
 
 fn scan(text: &str, kind: Container, out: &mut Collector) {

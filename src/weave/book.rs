@@ -8,8 +8,9 @@ use std::fmt;
 
 use serde_json::Value;
 
+use super::breakable::{broken, in_table};
 use super::{Mode, Options, Woven, weave_markdown};
-use crate::document::{PartKind, Style, markdown_parts};
+use crate::document::{Part, PartKind, Style, markdown_parts};
 use crate::formula::source::{Pieces, SourceFile, Span, replaced};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::session::Failure;
@@ -49,6 +50,8 @@ impl std::error::Error for BookError {}
 /// ```
 pub fn weave_book(text: &str, options: &Options) -> Result<Woven, BookError> {
     let mut sent: Value = serde_json::from_str(text).map_err(BookError::Json)?;
+    // Another preprocessor that takes formulas out before they are read as Markdown.
+    let sets_formulas = sent.pointer("/0/config/preprocessor/katex").is_some();
     let book = sent.get_mut(1).filter(|book| book.is_object()).ok_or(BookError::Shape)?;
     let options = Options { mode: Mode::Template, ..options.clone() };
     let mut woven = Woven::default();
@@ -63,14 +66,17 @@ pub fn weave_book(text: &str, options: &Options) -> Result<Woven, BookError> {
             let result_name = name.clone();
             let result = weave_markdown(&SourceFile::new(name, content.as_str()), &options);
             content.clone_from(&result.text);
-            if let Some(set) = options.set {
-                let file = SourceFile::new(result_name, content.as_str());
-                let (text, unset) = with_formulas(content, set);
-                woven
-                    .problems
-                    .extend(unset.into_iter().map(|problem| Failure { problem, file: file.clone() }));
-                *content = text;
-            }
+            let file = SourceFile::new(result_name, content.as_str());
+            let lost = match options.set {
+                Some(set) => {
+                    let (text, unset) = with_formulas(content, set);
+                    *content = text;
+                    unset
+                }
+                None if sets_formulas => Vec::new(),
+                None => broken_formulas(content),
+            };
+            woven.problems.extend(lost.into_iter().map(|problem| Failure { problem, file: file.clone() }));
             woven.failed |= result.failed;
             woven.refuted += result.refuted;
             woven.results += result.results;
@@ -102,6 +108,20 @@ fn with_formulas(text: &str, set: fn(&str, bool) -> Option<String>) -> (String, 
         }
     }
     (replaced(text, made.iter().map(|(span, html)| (*span, html.as_str()))), unset)
+}
+
+/// Formulas that mdBook would not show as they stand.
+fn broken_formulas(text: &str) -> Vec<Diagnostic> {
+    let told = |part: Part| {
+        if !matches!(&part.kind, PartKind::Formula { style, .. } if *style != Style::Plain) {
+            return None;
+        }
+        let why = broken(&part.text, in_table(text, part.span.start))?;
+        let message = format!("mdBook takes this formula apart: {why}");
+        let problem = Diagnostic::warning(Code::BrokenFormula, message).at(part.span);
+        Some(problem.hint("polarform weave --mdbook --mathml sets formulas so that none can be broken"))
+    };
+    markdown_parts(text).0.into_iter().filter_map(told).collect()
 }
 
 /// HTML within a line of Markdown, of which no sign is one of Markdown.

@@ -21,6 +21,8 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod book;
+mod breakable;
+#[cfg(feature = "writing")]
 mod files;
 mod markdown;
 mod markup;
@@ -38,6 +40,7 @@ mod tests;
 
 pub use crate::document::options_in;
 pub use book::{BookError, weave_book};
+#[cfg(feature = "writing")]
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
 pub use options::{BlockOptions, Show, Style};

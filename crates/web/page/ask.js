@@ -22,7 +22,14 @@ const Ask = {
   completing: false,
   again: false,
 
-  engine: new Engine(() => Ask.inputs.map((input) => ({ do: "ask", input, lang }))),
+  engine: new Engine(
+    () => Ask.inputs.map((input) => ({ do: "ask", input, lang })),
+    (place) => {
+      notice(say("forgotten", Ask.inputs[place]));
+      Ask.inputs.length = place;
+      Link.changed();
+    },
+  ),
 
   begin() {
     const box = byId("prompt");
@@ -132,7 +139,7 @@ const Ask = {
 
   /** A question beside the input that was lost: the input goes on without its answer. */
   aside(error) {
-    if (error.kind === "trapped") notice(lost(error));
+    if (error.kind === "trapped") notice(lost(error), " ", say("session_kept"));
     return { candidates: [] };
   },
 
@@ -206,7 +213,7 @@ const Ask = {
     try {
       const answer = await Ask.engine.call({ do: "ask", input, lang });
       if (answer.refused) {
-        out.append(make("p", { class: "problem" }, answer.refused));
+        out.append(make("p", { class: "problem" }, told(answer.refused)));
       } else {
         if (answer.answers.length > 0) {
           Ask.inputs.push(input);
@@ -217,7 +224,7 @@ const Ask = {
         announce(answer.answers.map((one) => one.text).join("\n") || answer.problem?.message || "");
       }
     } catch (error) {
-      out.append(make("p", { class: "problem" }, lost(error)));
+      out.append(make("p", { class: "problem" }, lost(error), " ", say("session_kept")));
     } finally {
       clearTimeout(busy);
       byId("ask-busy").hidden = Ask.engine.busy;
@@ -258,17 +265,17 @@ const Ask = {
       node.append(formula(answer.latex, true, answer.text));
       tools.append(copier("copy_latex", answer.latex), copier("copy_text", answer.text));
     }
-    for (const note of answer.notes) node.append(make("p", { class: "note" }, note.message));
+    for (const note of answer.notes) node.append(make("p", { class: "note" }, told(note.message)));
     node.append(tools);
     return node;
   },
 
   problem(problem, input) {
-    const node = make("div", { class: "problem" }, make("p", {}, problem.message));
+    const node = make("div", { class: "problem" }, make("p", {}, ...problemWords(problem)));
     if (problem.to > problem.from) {
       node.append(make("pre", {}, input.slice(0, problem.from), make("mark", {}, input.slice(problem.from, problem.to)), input.slice(problem.to)));
     }
-    for (const hint of problem.hints) node.append(make("p", { class: "hint" }, hint));
+    for (const hint of problem.hints) node.append(make("p", { class: "hint" }, told(hint)));
     return node;
   },
 };

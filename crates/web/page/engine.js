@@ -25,9 +25,15 @@ function unpacked() {
 }
 
 class Engine {
-  /** `session` gives the requests that bring a new worker to where the old one was. */
-  constructor(session = () => []) {
+  /**
+   * `session` gives the requests that bring a new worker to where the old one was; `forget` is called with the place of one that
+   * broke the new worker, too: it and what follows are not asked again.
+   */
+  constructor(session = () => [], forget = () => {}) {
     this.session = session;
+    this.forget = forget;
+    /** Requests that are repeated, by their numbers. */
+    this.repeated = new Map();
     this.waiting = new Map();
     this.next = 0;
     this.worker = null;
@@ -51,12 +57,19 @@ class Engine {
     };
     worker.postMessage({ module });
     this.worker = worker;
-    for (const request of this.session()) this.send(request).catch(() => {});
+    this.session().forEach((request, place) => {
+      const id = this.next;
+      this.repeated.set(id, place);
+      this.send(request).then(() => this.repeated.delete(id), () => {});
+    });
   }
 
-  received({ id, answer, trap }) {
+  received({ id, answer, trap, partial }) {
     const waiting = this.waiting.get(id);
-    if (trap !== undefined) {
+    if (partial !== undefined) {
+      waiting?.partly(partial);
+    } else if (trap !== undefined) {
+      if (this.repeated.has(id)) this.forget(this.repeated.get(id));
       this.renew(new Lost("trapped", trap));
     } else if (waiting) {
       this.waiting.delete(id);
@@ -70,6 +83,7 @@ class Engine {
     this.worker = null;
     const lost = [...this.waiting.values()];
     this.waiting.clear();
+    this.repeated.clear();
     for (const { reject } of lost) reject(reason);
   }
 
@@ -77,17 +91,18 @@ class Engine {
     this.renew(new Lost("stopped", "stopped"));
   }
 
-  send(request) {
+  send(request, partly = () => {}) {
     const id = this.next++;
     return new Promise((resolve, reject) => {
       if (!this.worker) return reject(new Lost("stopped", "stopped"));
-      this.waiting.set(id, { resolve, reject });
+      this.waiting.set(id, { resolve, reject, partly });
       this.worker.postMessage({ id, request });
     });
   }
 
-  async call(request) {
+  /** The answer to a request; `partly` gets what is found before it. */
+  async call(request, partly) {
     if (!this.worker) await this.start();
-    return this.send(request);
+    return this.send(request, partly);
   }
 }

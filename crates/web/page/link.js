@@ -8,7 +8,12 @@ const LONGEST_LINK = 24 << 10;
 
 const isText = (value, most) => typeof value === "string" && value.length <= most;
 const isList = (value, most, each) => Array.isArray(value) && value.length <= most && value.every(each);
-const isNumber = (value) => isText(value, 60);
+/** What the page writes for a number: a fraction, or sums and products of some while one is being computed. */
+const isNumber = (value) => isText(value, 60) && /^[\d\s()+*/.-]+$/.test(value);
+
+/** So many inputs of a link run by themselves, if they take no longer than this. */
+const FEW_INPUTS = 8;
+const SOON = 2000;
 
 /** What a link may hold: a field and what its value must be. */
 const FIELDS = {
@@ -16,7 +21,7 @@ const FIELDS = {
   lang: (value) => LANGUAGES.includes(value),
   ask: (value) => isList(value, 1000, (input) => isText(input, LONGEST_INPUT)),
   page: (value) => isText(value, LONGEST_PAGE),
-  format: (value) => ["markdown", "latex", "rst"].includes(value),
+  format: (value) => ["auto", "markdown", "latex", "rst", "notebook"].includes(value),
   play: (value) =>
     value !== null && typeof value === "object" && ["bezier", "bspline"].includes(value.kind) && [1, 2, 4, 12].includes(value.grid) &&
     isNumber(value.t) && Number.isInteger(value.degree) && isList(value.points, 40, (point) => isList(point, 2, isNumber)) &&
@@ -126,7 +131,24 @@ const Link = {
       translate();
     }
     if (state.play) Play.load(state.play);
-    if (state.page) Check.put(state.page, state.format ?? "markdown");
-    for (const input of state.ask ?? []) await Ask.run(input);
+    if (state.page) Check.put(state.page, state.format ?? "auto");
+    await Link.run(state.ask ?? []);
+  },
+
+  /** Inputs that somebody sent: a few run at once, more of them when they are wanted. */
+  async run(inputs) {
+    const began = performance.now();
+    for (const [i, input] of inputs.entries()) {
+      if (i >= FEW_INPUTS || performance.now() - began > SOON) {
+        const rest = inputs.slice(i);
+        const all = async () => {
+          node.remove();
+          for (const input of rest) await Ask.run(input);
+        };
+        const node = notice(say("link_many", rest.length), " ", make("button", { type: "button", class: "small", onclick: all }, say("link_run")));
+        return;
+      }
+      await Ask.run(input);
+    }
   },
 };

@@ -30,6 +30,7 @@ async function main() {
   }
   document.documentElement.dataset.ready = "yes";
   await Link.read();
+  warm();
 }
 
 main();

@@ -96,11 +96,11 @@ const Play = {
       const request = { do: "play", kind, points, t, ...(kind === "bezier" ? { ends } : { knots, degree }) };
       try {
         const answer = await Play.engine.call(request);
-        byId("play-problem").textContent = answer.refused ?? "";
+        byId("play-problem").textContent = told(answer.refused ?? "");
         if (!answer.refused) Play.answer = { ...answer, kind };
         // A link may hold a curve that there is not, and nothing was before it.
         if (answer.refused && Play.answer?.kind !== kind && !Play.dirty) {
-          notice(answer.refused);
+          notice(told(answer.refused));
           Play.load(STARTS[kind]());
           continue;
         }
@@ -242,9 +242,18 @@ const Play = {
     Play.move(i, x + step[0] / Play.state.grid, y + step[1] / Play.state.grid);
   },
 
+  /** Points of the curve as shares of the picture. */
+  sampled() {
+    const paths = [...byId("canvas").querySelectorAll(".curve path")];
+    return paths.flatMap((path) => {
+      const length = path.getTotalLength();
+      return Array.from({ length: 33 }, (_, i) => path.getPointAtLength((length * i) / 32)).map(({ x, y }) => [x / WORLD.width, 1 - y / WORLD.height]);
+    });
+  },
+
   /**
    * Names beside the control points and the point of the curve: away from the middle of the polygon, but where that would
-   * leave the picture or hide a point, in the nearest direction that does neither.
+   * leave the picture, hide a point or another name, or lie on the curve, in the direction that does the least of it.
    */
   showLabels() {
     const { control, levels } = Play.answer;
@@ -256,26 +265,36 @@ const Play = {
     byId("labels").replaceChildren(...nodes);
     const stage = byId("labels").getBoundingClientRect();
     const share = all.map((one) => Play.spot(one.at)).map(([x, y]) => [x / (WORLD.width * UNIT), y / (WORLD.height * UNIT)]);
-    const points = share.map(([x, y]) => [x * stage.width, y * stage.height]);
-    const sizes = nodes.map((node) => node.getBoundingClientRect()).map(({ width, height }) => [width, height]);
+    const scaled = ([x, y]) => [x * stage.width, y * stage.height];
+    const points = share.map(scaled);
+    const curve = Play.sampled().map(scaled);
+    const sizes = nodes.map((node) => node.getBoundingClientRect()).map(({ width, height }) => [width / 2, height / 2]);
+    const put = [];
     nodes.forEach((node, i) => {
-      const [width, height] = sizes[i].map((size) => size / 2);
-      const turned = (turn) => {
+      const [width, height] = sizes[i];
+      const near = ([px, py], [x, y], by) => Math.abs(px - x) < width + by && Math.abs(py - y) < height + by;
+      const turned = (turn, off) => {
         const [dx, dy] = [Math.cos(all[i].angle + turn), Math.sin(all[i].angle + turn)];
         // As far as the point is free of the name.
-        const far = Math.min((width + 8) / Math.abs(dx), (height + 8) / Math.abs(dy));
-        return [dx * far, dy * far];
+        const far = Math.min((width + off) / Math.abs(dx), (height + off) / Math.abs(dy));
+        return [points[i][0] + dx * far, points[i][1] + dy * far];
       };
-      const free = ([dx, dy]) => {
-        const [x, y] = [points[i][0] + dx, points[i][1] + dy];
-        return x >= width + 4 && x <= stage.width - width - 4 && y >= height + 4 && y <= stage.height - height - 4 &&
-          !points.some(([px, py]) => Math.abs(px - x) < width + 6 && Math.abs(py - y) < height + 6);
+      const harm = (at) => {
+        const [x, y] = at;
+        const out = x < width + 4 || x > stage.width - width - 4 || y < height + 4 || y > stage.height - height - 4;
+        const names = put.filter((one) => Math.abs(one.at[0] - x) < one.width + width + 2 && Math.abs(one.at[1] - y) < one.height + height + 1).length;
+        const hidden = points.filter((point) => near(point, at, 6)).length;
+        return 1000 * out + 100 * (names + hidden) + curve.filter((point) => near(point, at, 1)).length;
       };
-      const turns = [0, 1, -1, 2, -2, 3, -3, 4].map((turn) => turned((turn * Math.PI) / 4));
-      const [dx, dy] = turns.find(free) ?? turns[0];
+      const turns = [0, 1, -1, 2, -2, 3, -3, 4].map((turn) => (turn * Math.PI) / 4);
+      const places = [8, 22, 40].flatMap((off) => turns.map((turn) => turned(turn, off)));
+      // A name that stands far away may be taken for that of another point.
+      const harms = places.map((at, i) => harm(at) + 2 * Math.floor(i / turns.length));
+      const at = places[harms.indexOf(Math.min(...harms))];
+      put.push({ at, width, height });
       node.style.left = `${share[i][0] * 100}%`;
       node.style.top = `${share[i][1] * 100}%`;
-      node.style.transform = `translate(-50%, -50%) translate(${dx}px, ${dy}px)`;
+      node.style.transform = `translate(-50%, -50%) translate(${at[0] - points[i][0]}px, ${at[1] - points[i][1]}px)`;
     });
   },
 

@@ -85,6 +85,7 @@ function notice(...lines) {
   const close = make("button", { class: "quiet", type: "button", onclick: () => node.remove() }, say("close"));
   const node = make("div", { class: "notice", role: "alert" }, make("p", {}, ...lines), close);
   document.getElementById("notices").append(node);
+  return node;
 }
 
 const lost = (error) => (error.kind === "stopped" ? say("stopped") : say("trapped", error.message));

@@ -1,8 +1,10 @@
-// One instance of the module. A message is {module} or {id, request}; an answer {id, answer} or {id, trap}.
+// One instance of the module. A message is {module} or {id, request}; an answer {id, answer} or {id, trap}, and before it
+// {id, partial} for what was found so far.
 "use strict";
 let exports = null;
 let argument = null;
 let result = null;
+let current = null;
 
 const bytes = (at, length) => new Uint8Array(exports.memory.buffer, at, length);
 
@@ -12,6 +14,7 @@ const host = {
     wasm_minimal_protocol_write_args_to_buffer: (at) => bytes(at, argument.length).set(argument),
     wasm_minimal_protocol_send_result_to_host: (at, length) => {
       result = new TextDecoder().decode(bytes(at, length));
+      if (result.endsWith('"partial":true}')) self.postMessage({ id: current, partial: JSON.parse(result) });
     },
   },
 };
@@ -27,6 +30,7 @@ self.onmessage = ({ data }) => {
     exports = new WebAssembly.Instance(data.module, host).exports;
     return;
   }
+  current = data.id;
   try {
     self.postMessage({ id: data.id, answer: answered(data.request) });
   } catch (error) {

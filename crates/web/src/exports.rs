@@ -18,8 +18,10 @@ unsafe extern "C" {
 extern "C" fn answer(length: usize) -> i32 {
     let mut request = vec![0; length];
     write_arguments(request.as_mut_ptr());
+    // Only a host that asks for it is told something before the answer.
+    let mut tell = |partial: &str| send_result(partial.as_ptr(), partial.len());
     let (status, result) = match std::str::from_utf8(&request) {
-        Ok(request) => (0, super::answer(request)),
+        Ok(request) => (0, super::answer_telling(request, &mut tell)),
         Err(_) => (1, "a request is text in UTF-8".to_owned()),
     };
     send_result(result.as_ptr(), result.len());

@@ -43,7 +43,7 @@ thread_local! {
 /// | `do` | further fields | answer |
 /// | --- | --- | --- |
 /// | `ask` | `input`; `session`: earlier inputs, in place of those asked before; `lang`, `notation`, `depth` | `answers`, `problem`, `names` |
-/// | `check` | `text`, `as`: markdown, latex, rst; `name`, `context`, `steps`, `depth` | the report of `notes check` with places |
+/// | `check` | `text`, `as`: markdown, latex, rst, notebook, else it is guessed; `name`, `context`, `steps`, `depth`; `again`: the page of the last such request was edited | the report of `notes check` with places |
 /// | `complete` | `before`: the line up to the caret | `from`, `candidates` |
 /// | `incomplete` | `input` | `incomplete`: whether a bracket is open or a side is missing |
 /// | `play` | `kind`: bezier or bspline; `points`, `t`, `ends` or `knots` and `degree` | every level, labelled |
@@ -57,7 +57,13 @@ thread_local! {
 /// assert!(polarform_web::answer("nonsense").contains("refused"));
 /// ```
 pub fn answer(request: &str) -> String {
-    let answered = catch_unwind(AssertUnwindSafe(|| answered(request)));
+    answer_telling(request, &mut |_| {})
+}
+
+/// The same; of a page that is checked again, what was found so far is told before: reports with `"partial": true`.
+pub fn answer_telling(request: &str, tell: &mut dyn FnMut(&str)) -> String {
+    let mut tell = |partial: Value| tell(&partial.to_string());
+    let answered = catch_unwind(AssertUnwindSafe(|| answered(request, &mut tell)));
     let refused = |words: Refusal| json!({"refused": words});
     match answered {
         Ok(answer) => answer.unwrap_or_else(refused),
@@ -68,7 +74,7 @@ pub fn answer(request: &str) -> String {
     .to_string()
 }
 
-fn answered(request: &str) -> Result<Value, Refusal> {
+fn answered(request: &str, tell: &mut dyn FnMut(Value)) -> Result<Value, Refusal> {
     let request: Value = serde_json::from_str(request).map_err(|error| format!("not a request: {error}"))?;
     let request = request.as_object().ok_or("a request is an object")?;
     match field(request, "do")? {
@@ -76,7 +82,7 @@ fn answered(request: &str) -> Result<Value, Refusal> {
             None => SESSION.with_borrow_mut(|session| ask::answer(session, request)),
             Some(mut session) => ask::answer(&mut session, request),
         },
-        "check" => check::report(request),
+        "check" => check::report(request, tell),
         "complete" => {
             let before = field(request, "before")?;
             let names = SESSION.with_borrow(Session::names);

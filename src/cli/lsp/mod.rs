@@ -88,10 +88,10 @@ impl Page {
         self.asked.drain(..).map(answer).collect()
     }
 
-    /// Whether results are filled into it.
-    fn is_markdown(&self) -> bool {
+    /// How it is written.
+    fn written(&self) -> Container {
         let kind = self.kind.or_else(|| Container::of(self.path.as_deref()?).ok());
-        kind.unwrap_or(Container::Markdown) == Container::Markdown
+        kind.unwrap_or(Container::Markdown)
     }
 }
 
@@ -379,7 +379,7 @@ impl Server {
             }
             None => Vec::new(),
         };
-        if page.is_markdown() && weaving::has_queries(&page.text) {
+        if weaving::has_queries(&page.text, page.written()) {
             actions.push(CodeActionOrCommand::CodeAction(weaving::action(uri.as_str())));
         }
         if let Some(only) = &params.context.only {
@@ -435,15 +435,16 @@ impl Server {
             return self.send(log(&format!("there is no command {} for that", params.command)));
         };
         let pages = locked(&self.pages);
-        let Some(page) = pages.get(uri.as_str()).filter(|page| page.is_markdown()) else {
-            return self.send(log("results are put into open pages of Markdown"));
+        let Some(page) = pages.get(uri.as_str()) else {
+            return self.send(log("results are put into open pages"));
         };
         let (text, path, version) = (page.text.clone(), page.path.clone(), page.version);
+        let kind = page.written();
         let limits = Limits { interrupt: page.outdated.clone(), ..self.limits.clone() };
         let (sender, versioned) = (self.out.sender.clone(), self.client.versioned);
         let work = move || {
             let woven = catch_unwind(AssertUnwindSafe(|| {
-                weaving::woven(&text, path.as_ref(), &Places::new(&text), &limits)
+                weaving::woven(&text, kind, path.as_ref(), &Places::new(&text), &limits)
             }));
             let (edit, problems) =
                 woven.unwrap_or_else(|_| (None, vec!["polarform met a defect of its own".to_owned()]));

@@ -7,11 +7,12 @@ use serde_json::json;
 
 use super::places::Places;
 use crate::budget::Limits;
+use crate::cli::beside::put_beside;
 use crate::cli::pictures::{picture_prefix, put_picture};
-use crate::document::{PartKind, markdown_parts, options_in};
+use crate::document::{Container, PartKind, latex_parts, markdown_cells, markdown_parts, options_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::Severity;
-use crate::weave::{Options, weave_markdown};
+use crate::weave::{Options, Woven, weave_markdown, weave_notebook};
 
 /// The command that the action stands for.
 pub(super) const COMMAND: &str = "polarform.weave";
@@ -21,8 +22,22 @@ pub(super) fn kind() -> CodeActionKind {
     CodeActionKind::new("source.polarform.weave")
 }
 
-/// Whether there are queries in a page of Markdown.
-pub(super) fn has_queries(text: &str) -> bool {
+/// Whether there are queries in a page whose results are put somewhere; reStructuredText has none.
+pub(super) fn has_queries(text: &str, kind: Container) -> bool {
+    match kind {
+        Container::Markdown => in_markdown(text),
+        Container::Notebook => {
+            markdown_cells(text).is_ok_and(|cells| cells.iter().any(|cell| in_markdown(&cell.text)))
+        }
+        Container::Latex => {
+            let is_query = |kind: &PartKind| matches!(kind, PartKind::Query | PartKind::Code { .. });
+            latex_parts(text).0.iter().any(|part| is_query(&part.kind))
+        }
+        Container::Rst => false,
+    }
+}
+
+fn in_markdown(text: &str) -> bool {
     let query = |kind: &PartKind, part: &str| match kind {
         PartKind::Query => true,
         PartKind::Formula { .. } | PartKind::Comment => part.contains("{{"),
@@ -43,17 +58,36 @@ pub(super) fn action(uri: &str) -> CodeAction {
     }
 }
 
-/// What weaving changes in a page, as one edit, and what is wrong with its queries. Pictures are written beside it.
+/// What weaving changes in a page, as one edit, and what is wrong with its queries. Pictures are written beside it, and what LaTeX
+/// reads.
 pub(super) fn woven(
     text: &str,
+    kind: Container,
     path: Option<&PathBuf>,
     places: &Places,
     limits: &Limits,
 ) -> (Option<TextEdit>, Vec<String>) {
     let name = path.map_or_else(|| "page".to_owned(), |path| path.display().to_string());
-    let pictures = path.map(|path| picture_prefix(path));
-    let options = Options { limits: limits.clone(), pictures, fresh: true, ..Options::default() };
-    let woven = weave_markdown(&SourceFile::new(name, text), &options);
+    let options = Options { limits: limits.clone(), fresh: true, ..Options::default() };
+    let file = SourceFile::new(name, text);
+    let woven = match (kind, path) {
+        (Container::Markdown, _) => {
+            let pictures = path.map(|path| picture_prefix(path));
+            weave_markdown(&file, &Options { pictures, ..options })
+        }
+        (Container::Notebook, _) => weave_notebook(&file, &options),
+        (Container::Latex, Some(path)) => match put_beside(path, &file, &options) {
+            // The document stays as it is.
+            Ok((woven, _)) => Woven { text: text.to_owned(), ..woven },
+            Err(problem) => return (None, vec![problem.message]),
+        },
+        (Container::Latex, None) => {
+            return (None, vec!["save the document first: its results go to a file beside it".to_owned()]);
+        }
+        (Container::Rst, _) => {
+            return (None, vec!["results are not written into reStructuredText".to_owned()]);
+        }
+    };
     let wrong = woven.problems.iter().filter(|failure| failure.problem.severity == Severity::Error);
     let mut problems: Vec<String> = wrong
         .map(|failure| {
@@ -92,10 +126,17 @@ mod tests {
     #[test]
     fn queries_are_seen() {
         for page in ["{{ 1 + 1 }}", "$a = {{ 1 }}$", "```polarform\n1\n```", "$2$<!-- {{ 1 + 1 }} -->"] {
-            assert!(has_queries(page), "{page}");
+            assert!(has_queries(page, Container::Markdown), "{page}");
         }
+        let notebook =
+            |cell: &str| format!(r#"{{"cells": [{{"cell_type": "markdown", "source": ["{cell}"]}}]}}"#);
+        assert!(has_queries(&notebook("$a = {{ 1 }}$"), Container::Notebook));
+        assert!(!has_queries(&notebook("$a = 1$"), Container::Notebook));
+        assert!(has_queries("$a = \\polarform{1}$", Container::Latex));
+        assert!(has_queries("\\begin{polarform}\n1\n\\end{polarform}", Container::Latex));
+        assert!(!has_queries("$a = 1$ % \\polarform{1}", Container::Latex));
         for page in ["", "$a = 1$", "`{{ 1 }}`", "```python\n{{ 1 }}\n```", "<!-- {a} -->"] {
-            assert!(!has_queries(page), "{page}");
+            assert!(!has_queries(page, Container::Markdown), "{page}");
         }
     }
 

@@ -1,4 +1,5 @@
 mod dialects;
+#[cfg(feature = "files")]
 mod files;
 mod latex;
 mod notebook;

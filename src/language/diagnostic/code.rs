@@ -253,6 +253,10 @@ codes! {
     ///
     /// Example: `notes.typ`. Turn it into Markdown, or say with `--as markdown` how to read it.
     FileKind = "E609": "unknown kind of file",
+    /// A renderer of Markdown would not show a formula as it stands.
+    ///
+    /// Example: mdBook makes `{1, 2}` of `$\{1, 2\}$`. `polarform weave --mdbook --mathml` sets formulas so that none can be broken.
+    BrokenFormula = "E610": "a formula that a renderer breaks",
 
     /// A query, a block of code or a woven result of a file begins and never ends.
     ///

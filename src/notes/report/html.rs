@@ -6,15 +6,13 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::mathml::mathml;
 use super::place::Locator;
+use super::policy::policy;
 use super::{Tally, states_something};
 use crate::judge::page::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
-
-/// The page may show itself and run its own script, and fetch nothing.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// What a reader looks for first comes first.
 const ORDER: [Verdict; 6] = [
@@ -36,7 +34,7 @@ pub fn render_html(reports: &[FileReport]) -> String {
         html lang="en" {
             head {
                 meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta http-equiv="Content-Security-Policy" content=(policy(STYLE, SCRIPT));
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (title) }
                 style { (PreEscaped(STYLE)) }

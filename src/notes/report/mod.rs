@@ -15,6 +15,7 @@ mod junit;
 mod listing;
 mod mathml;
 mod place;
+mod policy;
 mod sarif;
 mod table;
 mod terminal;

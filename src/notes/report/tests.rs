@@ -299,6 +299,7 @@ fn a_fix_in_a_notebook_is_a_piece_of_a_string() {
 fn html() {
     insta::with_settings!({filters => vec![
         (r"(?s)<style>.*?</style>", "<style>…</style>"),
+        ("sha256-[^']*", "sha256-…"),
         (r"(?s)<script>const.*?</script>", "<script>…</script>"),
         (r"(</(p|article|h1|h2|dd|section|details|header|head|button)>)", "$1\n"),
     ]}, {
@@ -311,6 +312,8 @@ fn html_holds_no_foreign_markup() {
     let page = render_html(&both());
     assert_eq!(page.matches("<script").count(), 1);
     assert!(!page.contains("notes <b>"));
+    // A script of a reader's notes would not run if it came into the page.
+    assert!(!page.contains("script-src 'unsafe-inline'") && page.contains("script-src 'sha256-"));
     assert!(!page.contains('\x1b') && !page.contains('\r'));
     assert!(!page.contains("http://") && !page.contains("https://"), "the page needs no network");
 }
