@@ -131,7 +131,27 @@ impl Session {
         whole: Span,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
-        self.run_part(file, whole, equals).map_err(|failure| self.advised(file, whole, failure))
+        let failure = match self.run_part(file, whole, equals) {
+            Ok(answers) => return Ok(answers),
+            Err(failure) => failure,
+        };
+        // What is wrong with a request that was read stays wrong.
+        let of_words = matches!(
+            failure.problem.code,
+            Code::UnknownName
+                | Code::UnknownFunction
+                | Code::UnexpectedCharacter
+                | Code::UnexpectedToken
+                | Code::UnexpectedEnd
+                | Code::BadNumber
+                | Code::Type
+                | Code::Arity
+                | Code::Usage
+        );
+        match of_words.then(|| self.run_loosely(file, whole)).flatten() {
+            Some(answer) => Ok(vec![answer]),
+            None => Err(self.advised(file, whole, failure)),
+        }
     }
 
     /// Runs a part of a file; `k = 1, b = 2` are two statements. What is no formula may be a line of several.

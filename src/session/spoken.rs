@@ -10,6 +10,7 @@ mod habits;
 mod knots;
 mod laws;
 mod lists;
+mod loosely;
 mod notations;
 mod objects;
 mod reading;
@@ -33,6 +34,9 @@ use crate::language::lexicon::{fractions, roles};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
+
+/// How the note begins that numbers are read as a curve.
+const KINDS_NOTE: &str = "read as the curve bezier([";
 
 /// Something that a label says, read.
 #[derive(Clone)]

@@ -1,5 +1,6 @@
 //! What is asked for in words: `polar form of t^3`, `racines de t^2 - 1`, `t^2 的极形式`.
 
+mod asides;
 mod features;
 mod names;
 mod table;
@@ -7,6 +8,7 @@ mod table;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use self::asides::ASIDES;
 use self::features::FEATURES;
 use self::table::PHRASES;
 use super::letters::is_ideograph;
@@ -78,6 +80,8 @@ pub(crate) enum Phrase {
     AppliedTo,
     /// It says nothing: the, please.
     Filler,
+    /// It carries no role and may be left aside, which the answer tells: quickly, some.
+    Aside,
 }
 
 /// A place that has a word.
@@ -165,7 +169,7 @@ const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "
 
 /// All phrases of the tables.
 fn all() -> impl Iterator<Item = (Phrase, &'static str)> {
-    let listed = PHRASES.iter().chain(FEATURES);
+    let listed = PHRASES.iter().chain(FEATURES).chain(ASIDES);
     listed.flat_map(|(phrase, names)| names.split(" | ").map(|name| (*phrase, name)))
 }
 

@@ -232,7 +232,7 @@ pub(crate) fn is_title(
         let plain =
             word.chars().count() > 2 && word.chars().all(|c| c.is_alphabetic() || matches!(c, '-' | '\''));
         let says = match phrase(word, function) {
-            Some((Phrase::Filler, _)) | None => false,
+            Some((Phrase::Filler | Phrase::Aside, _)) | None => false,
             Some(_) => true,
         };
         count += 1;

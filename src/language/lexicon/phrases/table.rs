@@ -44,7 +44,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Function("count_roots"),
         "how many roots has | how many real roots has | how many solutions has | how many real solutions has | how many real zeros has | how many solutions does | how many real solutions does | how many zeros does | how many real zeros does | how many zeros has | how many real roots does | how many roots does | wie viele nullstellen hat | wie viele lösungen hat | combien de racines a",
     ),
-    (Degree(1), "line | gerade | droite"),
+    (Degree(1), "line | gerade | droite | recta | retta | 直线"),
     (Function("taylor"), "polynôme~ de taylor"),
     (
         Phrase::TrueDegree,
@@ -207,11 +207,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
-        "second~ | zweite~ | deuxième~ | segund~ | twice | two times | zweimal | deux fois | dos veces | due volte | 二阶",
+        "second order | zweiter ordnung | deuxième ordre | segundo orden | secondo ordine | second~ | zweite~ | deuxième~ | segund~ | twice | two times | zweimal | deux fois | dos veces | due volte | 二阶",
     ),
     (
         Ordinal(3),
-        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
+        "third order | dritter ordnung | troisième ordre | tercer orden | terzo ordine | third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
     (
         Ordinal(1),
@@ -287,13 +287,13 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "around | about | autour de | alrededor de | intorno a | at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
     (
         Phrase::Label(Over),
-        "over | on | on the interval | \
+        "over | on | su | sull'intervallo | on the interval | \
          on interval | within | auf dem intervall | parameter interval | parameter range | subinterval | teilintervall | sous intervalle | subintervalo | dans l'intervalle | over the interval | über | auf | im intervall | sur | \
          sur l'intervalle | in the interval | interval | intervall | \
          intervalle | 区间 | sobre | en el intervalo | intervalo | nell'intervallo | intervallo",
@@ -301,7 +301,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(From), "from | desde | 从 | between | zwischen | entre"),
     (
         Phrase::Label(To),
-        "to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
+        "in terms of | in form of | in the form of | to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
          as | as a | regarded as | regarded as a | seen as | seen as a | considered as a | als | comme | \
          写成 | 表示为",
     ),
@@ -320,7 +320,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(OfDegree),
-        "degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
+        "order | of order | to order | up to order | ordnung | der ordnung | ordre | d'ordre | orden | de orden | ordine | di ordine | degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
          du degré | 次数",
     ),
     (
@@ -328,7 +328,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "uniform knots | knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
          vecteur nodal | 节点",
     ),
-    (Phrase::Label(Nodes), "nodes | node | stützstellen | abscissae | abscissas | abscisses"),
+    (
+        Phrase::Label(Nodes),
+        "nodes | node | stützstelle~ | den stellen | an den stellen | den stützstellen | abscissae | abscissas | abscisses",
+    ),
     (Phrase::Label(Values), "values | ordinates | werte | werten | valeurs | valores | valori"),
     (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),
     (
@@ -339,7 +342,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Times),
-        "times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
+        "rounds | round | passes | pass | levels | runde~ | tours | rondas | passaggi | times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
     ),
     (Phrase::Label(Number), "index"),
     (

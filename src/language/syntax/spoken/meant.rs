@@ -1,14 +1,51 @@
 //! What phrases mean beside each other, before the request is read: Bernstein coefficients that are given are points, a cubic
 //! spline with control points is a B-spline.
 
-use super::moved::{between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves};
+use super::asks;
+use super::moved::{
+    between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves, vanishing,
+};
 use super::pairs::is_order;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
+/// The parts of a request that say something, as they are meant; `None` if a place is asked for that nothing tells.
+pub(super) fn told(text: &str, parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Option<Vec<Part>> {
+    // A note tells where a largest value is taken; of other functions it is not known.
+    let extreme = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Function(
+                    "maximum"
+                        | "minimum"
+                        | "max"
+                        | "min"
+                        | "support"
+                        | "roots"
+                        | "critical_points"
+                        | "inflections"
+                        | "intersections"
+                        | "double_points"
+                        | "cross"
+                ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
+                    | Phrase::Vanishes,
+                _
+            )
+        )
+    };
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _))) && !parts.iter().any(extreme) {
+        return None;
+    }
+    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
+    let parts = vanishing(parts);
+    let parts: Vec<Part> = parts.into_iter().filter(says).collect();
+    Some(settled(text, asks::from_one_to_another(parts), known))
+}
+
 /// The parts of a request with the phrases in place of which others are meant.
-pub(super) fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
+fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
     names_of_objects(text, &mut parts, known);
     points_on_curves(text, &mut parts);
     degrees_before(text, &mut parts);

@@ -1,0 +1,64 @@
+//! The last reading of a line in words: its parts wherever they stand, numbers in words, and words that carry no role left aside.
+
+use super::{KINDS_NOTE, Reader};
+use crate::budget::Limits;
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Equals;
+use crate::language::functions::function_in_words;
+use crate::language::lexicon::fractions;
+use crate::language::syntax;
+use crate::session::{Answer, Session, defines};
+use std::cell::Cell;
+
+/// The steps for a reading that is only tried.
+const TRIED_STEPS: u64 = 2_000_000;
+
+impl Session {
+    /// The answer to a request that is not read word by word, with a note of the words left aside; `None` if there is no reading
+    /// that has an answer.
+    pub(in crate::session) fn run_loosely(&mut self, file: &SourceFile, whole: Span) -> Option<Answer> {
+        let text = file.slice(whole);
+        let fractions = fractions::with_digits(text);
+        let text = fractions.as_deref().unwrap_or(text);
+        let counted = fractions::with_counts(text, &function_in_words);
+        let text = counted.as_deref().unwrap_or(text);
+        let mut all = file.text().to_owned();
+        all.replace_range(whole.range(), text);
+        let masked = SourceFile::new(file.name(), all);
+        let known = |word: &str| defines(&self.env, word);
+        let reader = Reader {
+            session: self,
+            file: &masked,
+            start: whole.start,
+            topic: None,
+            used_topic: Cell::new(false),
+        };
+        let mut there = self.clone();
+        there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };
+        for reading in syntax::loosely(text, &known, &function_in_words) {
+            let Ok(Some(formula)) = reader.formula(reading.asked) else { continue };
+            let mut tried = there.clone();
+            let Ok(mut answer) = tried.evaluated_as(&masked, formula, whole, Equals::Claims) else {
+                continue;
+            };
+            // A list in the middle is no curve.
+            if answer.outcome.notes.iter().any(|note| note.message.starts_with(KINDS_NOTE)) {
+                continue;
+            }
+            answer.file = file.clone();
+            if !reading.aside.is_empty() {
+                let words: Vec<String> = reading
+                    .aside
+                    .iter()
+                    .map(|span| format!("'{}'", file.slice(span.shifted(whole.start)).trim()))
+                    .collect();
+                let note = format!("left aside: {}", words.join(", "));
+                answer.outcome.notes.push(Diagnostic::note(Code::StandardMeaning, note).at(whole));
+            }
+            self.env = tried.env;
+            return Some(answer);
+        }
+        None
+    }
+}
