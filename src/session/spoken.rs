@@ -5,6 +5,7 @@
 
 mod applied;
 mod apposition;
+mod bound;
 mod draft;
 mod habits;
 mod knots;

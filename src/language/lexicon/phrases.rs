@@ -335,6 +335,19 @@ pub(crate) fn function_named(word: &str) -> Option<&'static str> {
     })
 }
 
+/// The degree that a word of a phrase says, also at its end: regression line, Ausgleichsgerade.
+pub(crate) fn degree_within(phrase: &str) -> Option<i64> {
+    const SHORTEST: usize = 4;
+    let degree = |word: &str| match listed(word)? {
+        Phrase::Degree(degree) => Some(degree),
+        _ => None,
+    };
+    phrase.split([' ', '-']).find_map(|word| {
+        let ends = word.char_indices().filter_map(|(at, _)| word.get(at..));
+        ends.filter(|end| end.len() >= SHORTEST).find_map(degree)
+    })
+}
+
 /// The phrase of one or two words that somebody may have misspelled with these.
 pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
     let known = |word: &str| phrase(word, &|_| None).is_some_and(|(_, length)| length == word.len());

@@ -37,28 +37,38 @@ impl Session {
         let mut there = self.clone();
         there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };
         for reading in syntax::loosely(text, &known, &function_in_words) {
-            let Ok(Some(formula)) = reader.formula(reading.asked) else { continue };
-            let mut tried = there.clone();
-            let Ok(mut answer) = tried.evaluated_as(&masked, formula, whole, Equals::Claims) else {
-                continue;
+            let claims = reading.asked.equals.is_some();
+            let bound = match claims {
+                true => Vec::new(),
+                false => match reader.collected(reading.asked.request.clone()) {
+                    Ok(Some(asked)) => reader.bound(&asked),
+                    _ => Vec::new(),
+                },
             };
-            // A list in the middle is no curve.
-            if answer.outcome.notes.iter().any(|note| note.message.starts_with(KINDS_NOTE)) {
-                continue;
+            let usual = reader.formula(reading.asked).ok().flatten();
+            for formula in usual.into_iter().chain(bound) {
+                let mut tried = there.clone();
+                let Ok(mut answer) = tried.evaluated_as(&masked, formula, whole, Equals::Claims) else {
+                    continue;
+                };
+                // A list in the middle is no curve.
+                if answer.outcome.notes.iter().any(|note| note.message.starts_with(KINDS_NOTE)) {
+                    continue;
+                }
+                answer.file = file.clone();
+                answer.outcome.notes.extend(left_aside(file, whole, &reading.aside));
+                self.env = tried.env;
+                return Some(answer);
             }
-            answer.file = file.clone();
-            if !reading.aside.is_empty() {
-                let words: Vec<String> = reading
-                    .aside
-                    .iter()
-                    .map(|span| format!("'{}'", file.slice(span.shifted(whole.start)).trim()))
-                    .collect();
-                let note = format!("left aside: {}", words.join(", "));
-                answer.outcome.notes.push(Diagnostic::note(Code::StandardMeaning, note).at(whole));
-            }
-            self.env = tried.env;
-            return Some(answer);
         }
         None
     }
+}
+
+/// The note that names words left aside.
+fn left_aside(file: &SourceFile, whole: Span, words: &[Span]) -> Option<Diagnostic> {
+    let shown: Vec<String> =
+        words.iter().map(|span| format!("'{}'", file.slice(span.shifted(whole.start)).trim())).collect();
+    let note = format!("left aside: {}", shown.join(", "));
+    (!shown.is_empty()).then(|| Diagnostic::note(Code::StandardMeaning, note).at(whole))
 }
