@@ -147,6 +147,8 @@ impl Session {
                 | Code::Type
                 | Code::Arity
                 | Code::Usage
+                | Code::AmbiguousVariable
+                | Code::Unsupported
         );
         match of_words.then(|| self.run_loosely(file, whole)).flatten() {
             Some(answer) => Ok(vec![answer]),
@@ -209,6 +211,9 @@ impl Session {
         }
         if let Some(start) = foreign::scripts::after_package(text) {
             return self.run_part(file, Span::new(whole.start + start, whole.end), equals);
+        }
+        if let Some(answers) = self.run_sought(file, whole)? {
+            return Ok(answers);
         }
         let asked = text.trim_end_matches(['?', '？']).trim_end().strip_suffix('=');
         if let Some(formula) =
@@ -337,7 +342,8 @@ impl Session {
     ) -> Result<Answer, Box<Failure>> {
         let span = statement.span;
         let (with_arguments, remark) = self.with_members_called(statement);
-        statement = with_arguments;
+        let (with_operator, operator) = self.with_operator_applied(with_arguments);
+        statement = with_operator;
         let known = |name: &str| defines(&self.env, name);
         if let Some(problem) = foreign::spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
@@ -351,7 +357,7 @@ impl Session {
                 foreign::spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
                 foreign::spelling::differences(&statement, &function, &mut outcome.notes);
-                outcome.notes.extend(remark);
+                outcome.notes.extend(remark.into_iter().chain(operator));
                 outcome
                     .notes
                     .extend(foreign::spelling::degree_last(&statement, &|name| defines(&self.env, name)));

@@ -192,6 +192,8 @@ const SENSES: &[(&str, &[&str])] = &[
     ("bernstein", &["in_bernstein"]),
     ("in_bernstein", &["bezier_points"]),
     ("normal", &["normal_at"]),
+    ("polar", &["polar_total"]),
+    ("figure_bezier", &["figure_functions", "figure_bspline"]),
     ("arc_length", &["polygon_length", "length"]),
     ("integrate", &["area"]),
     ("intersections", &["solve"]),

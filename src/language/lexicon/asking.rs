@@ -71,6 +71,11 @@ const COPULAS: &[&str] = &[
 const CONTINUATIONS: &[&str] = &[
     "then",
     "so",
+    "solve for",
+    "löse nach",
+    "résoudre pour",
+    "resuelve para",
+    "risolvi per",
     "what is",
     "what's",
     "what are",

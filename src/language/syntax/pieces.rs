@@ -120,7 +120,7 @@ pub(super) fn parts(
             start = at;
             listed = false;
         }
-        listed |= depth == 0 && matches!(c, ',' | '=') || depth == 1 && c == ']';
+        listed |= depth == 0 && matches!(c, ',' | '=' | ':') || depth == 1 && c == ']';
         // -> Bernstein
         if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
             let after = text.piece(at + arrow.len()..).trim_start();

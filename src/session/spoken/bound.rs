@@ -5,9 +5,9 @@ use super::Reader;
 use super::draft::{Draft, list};
 use super::utterance::Utterance;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, call, named};
+use crate::formula::{Expr, Kind, applied, call, named};
 use crate::language::eval;
-use crate::language::functions::{Builtin, Need, Parameter, SCHEME, Takes, builtin, senses};
+use crate::language::functions::{Builtin, Gives, Need, Parameter, SCHEME, Takes, builtin, senses};
 use crate::language::lexicon::phrases::{Label, Place};
 use crate::language::lexicon::roles;
 use crate::language::value::symbol_expr;
@@ -35,11 +35,19 @@ impl Reader<'_> {
         let is_kind = |draft: &&Draft| matches!(draft.builtin.name, "bezier" | "lagrange" | "bernstein");
         let (kinds, others): (Vec<&Draft>, Vec<&Draft>) = asked.drafts.iter().partition(is_kind);
         let (schemes, others) = schemes_apart(others);
-        let own = match (others.as_slice(), kinds.as_slice()) {
-            ([own], _) => own,
-            ([], [kind]) => kind,
+        // What is done with what the last of them gives: substitute and simplify.
+        let (outer, own) = match (others.as_slice(), kinds.as_slice()) {
+            ([outer @ .., own], _) => (outer, *own),
+            ([], [kind]) => (&[][..], *kind),
             _ => return Vec::new(),
         };
+        let plain = |draft: &&Draft| {
+            let mut needed = draft.builtin.parameters.iter().filter(|own| own.need == Need::Required);
+            needed.next().is_some() && needed.next().is_none() && draft.part.is_none()
+        };
+        if outer.len() > 1 || !outer.iter().all(plain) {
+            return Vec::new();
+        }
         if !asked.flags.is_empty() || own.part.is_some() || schemes.is_some() && kinds.len() > 1 {
             return Vec::new();
         }
@@ -47,14 +55,67 @@ impl Reader<'_> {
         let curve =
             kinds.iter().any(|kind| kind.builtin.name == "bezier" && kind.builtin.name != own.builtin.name);
         let meant = std::iter::once(own.builtin.name).chain(senses(own.builtin.name).iter().copied());
-        meant
-            .filter_map(builtin)
-            .flat_map(|function| self.calls(function, own.phrase, &said, curve))
-            .collect()
+        let calls = meant.filter_map(builtin).flat_map(|function| {
+            let mut calls = self.calls(function, own.phrase, &said, curve);
+            if calls.is_empty() {
+                calls.extend(self.value_of_call(function, own.phrase, &said, curve));
+            }
+            calls
+        });
+        let wrapped = |inner: Expr| {
+            outer.iter().rev().fold(inner, |inner, draft| call(draft.builtin.name, vec![inner], draft.phrase))
+        };
+        calls.map(wrapped).collect()
+    }
+
+    /// What a function gives, at the place that none of its parameters takes: a patch at u = 1/2, v = 1/2.
+    fn value_of_call(
+        &self,
+        function: &'static Builtin,
+        phrase: Span,
+        said: &[Said],
+        curve: bool,
+    ) -> Option<Expr> {
+        let has_values = matches!(
+            function.gives,
+            Gives::Surface
+                | Gives::Polar
+                | Gives::Curve
+                | Gives::Spline
+                | Gives::SameCurve
+                | Gives::Piecewise
+                | Gives::Any
+        );
+        let value = |item: &Expr| match eval::named(item) {
+            Some((name, value)) => roles::is_variable(&name).then(|| value.clone()),
+            None => Some(item.clone()),
+        };
+        let place = |said: &&Said| {
+            let named = said.items.iter().all(|item| eval::named(item).is_some());
+            said.label == Some(Label::At) || said.label == Some(Label::With) && named
+        };
+        let (places, others): (Vec<&Said>, Vec<&Said>) = said.iter().partition(place);
+        let mut values = places.iter().flat_map(|said| &said.items).map(value).collect::<Option<Vec<_>>>()?;
+        // the point (1/2, 1/3) of a surface
+        if let (Gives::Surface, [Expr { kind: Kind::Tuple(own), .. }]) = (function.gives, values.as_slice()) {
+            values = own.clone();
+        }
+        if let (Gives::Surface, [middle]) = (function.gives, values.as_slice()) {
+            values = vec![middle.clone(), middle.clone()];
+        }
+        let others: Vec<Said> = others.into_iter().cloned().collect();
+        if !has_values || values.is_empty() || others.is_empty() {
+            return None;
+        }
+        let [call] = <[Expr; 1]>::try_from(self.calls(function, phrase, &others, curve)).ok()?;
+        Some(applied(call, values, phrase))
     }
 
     /// The best call of a function for each list of parameters that it may have.
     fn calls(&self, function: &'static Builtin, phrase: Span, said: &[Said], curve: bool) -> Vec<Expr> {
+        if function.parameters.iter().any(|own| own.need == Need::Free) {
+            return values_put_in(function, phrase, said).into_iter().collect();
+        }
         let lists = [Some(function.parameters), function.on_curve.map(|own| own.parameters)];
         let best = |parameters: &'static [Parameter]| {
             let mut best: Vec<(i32, Vec<Bound>)> = Vec::new();
@@ -126,8 +187,23 @@ impl Reader<'_> {
                 (own.len() > 1).then(|| list(own.iter().map(symbol_expr).collect()))
             }
             (_, "taylor", "a") => Some(Expr::int(0)),
+            (Takes::Scalar, _, "t") if function.gives == Gives::Function => Some(Expr::name("t")),
             _ => None,
         }
+    }
+}
+
+/// A formula with values for its names: substitute t = 2u in t^3.
+fn values_put_in(function: &Builtin, phrase: Span, said: &[Said]) -> Option<Expr> {
+    let items = said.iter().flat_map(|said| &said.items).cloned();
+    let (values, formulas): (Vec<Expr>, Vec<Expr>) = items.partition(|item| eval::named(item).is_some());
+    let put = |value: &Expr| eval::named(value).map(|(name, value)| named(&name, value.clone()));
+    match formulas.as_slice() {
+        [formula] if !values.is_empty() => {
+            let values = values.iter().filter_map(put);
+            Some(call(function.name, std::iter::once(formula.clone()).chain(values).collect(), phrase))
+        }
+        _ => None,
     }
 }
 
@@ -197,6 +273,26 @@ fn said(asked: &Utterance, own: &Draft, scheme: Option<Option<Expr>>) -> Option<
             all.push(Said { label: None, items: vec![named(name, value.clone())] });
         }
     }
+    // A line through two points, a cubic with four: the degree says no more.
+    let counted = |degree: &Expr, all: &[Said]| {
+        let count = |said: &Said| match said.items.as_slice() {
+            [Expr { kind: Kind::List(items), .. }] => items.len(),
+            items => items.len(),
+        };
+        degree.as_int().is_some_and(|n| {
+            all.iter().any(|said| {
+                said.label != Some(Label::OfDegree)
+                    && usize::try_from(n + 1) == Ok(count(said))
+                    && count(said) > 1
+            })
+        })
+    };
+    if own.builtin.parameters.iter().all(|own| !matches!(own.name, "n" | "degree"))
+        && degree.as_ref().is_some_and(|degree| counted(degree, &all))
+        && scheme.is_none()
+    {
+        all.retain(|said| said.label != Some(Label::OfDegree));
+    }
     // The cubic B-spline scheme is that of Lane and Riesenfeld of degree 3.
     if let Some(scheme) = scheme {
         let word = match (scheme, degree) {
@@ -229,7 +325,7 @@ fn fill(
     for (at, parameter) in
         parameters.iter().enumerate().filter(|(at, _)| free(*at, bound)).collect::<Vec<_>>()
     {
-        if let Some((fits, values)) = fit(first, parameter, at, curve) {
+        if let Some((fits, values)) = fit(first, parameters, at, curve) {
             bound.push(Bound { parameter: at, values });
             fill(parameters, rest, curve, bound, score + fits, found);
             bound.pop();
@@ -263,24 +359,32 @@ fn ends_of(said: &Said) -> Option<[Expr; 2]> {
 }
 
 /// How well something said fits a parameter, and what it is there.
-fn fit(said: &Said, parameter: &Parameter, place: usize, curve: bool) -> Option<(i32, Vec<Expr>)> {
+fn fit(said: &Said, parameters: &[Parameter], place: usize, curve: bool) -> Option<(i32, Vec<Expr>)> {
+    let parameter = parameters.get(place)?;
+    let needed = i32::from(parameter.need == Need::Required);
     let one = match said.items.as_slice() {
         [one] => Some(one),
         _ => None,
     };
     // n = 3 by the name of the parameter; t = 1/2 is a place
     if let Some((name, value)) = one.and_then(eval::named) {
-        let own = parameter.name == name;
-        let place =
-            roles::is_variable(&name) && matches!(parameter.name, "a" | "at" | "x" | "t" | "u" | "v" | "tau");
+        // x: 0 1 2 y: 1 3 7
+        let own = parameter.name == name
+            || value.items().is_some()
+                && matches!((name.as_str(), parameter.name), ("x", "nodes") | ("y" | "f", "values"));
+        // a and b are the ends of an interval.
+        let end = parameter.name == "a" && parameters.iter().any(|own| own.name == "b");
+        let place = !end
+            && roles::is_variable(&name)
+            && matches!(parameter.name, "a" | "at" | "x" | "t" | "u" | "v" | "tau");
         let degree = (roles::is_degree(&name) || name == "p") && matches!(parameter.name, "degree" | "n");
         let fits = own && parameter.has_name() || place || degree;
-        let kind = if own {
+        let kind = if own && parameter.kind != Takes::Interval {
             Some(vec![value.clone()])
         } else {
             of_kind(std::slice::from_ref(value), parameter.kind, curve)
         };
-        return kind.filter(|_| fits).map(|values| (STRONG + i32::from(own), values));
+        return kind.filter(|_| fits).map(|values| (STRONG + i32::from(own) + needed, values));
     }
     let values = match parameter.need {
         Need::Many(..) => said
@@ -292,7 +396,7 @@ fn fit(said: &Said, parameter: &Parameter, place: usize, curve: bool) -> Option<
         Need::Free => return None,
         _ => of_kind(&said.items, parameter.kind, curve)?,
     };
-    affinity(said.label, parameter, place).map(|fits| (fits, values))
+    affinity(said.label, parameter, place).map(|fits| (fits + needed, values))
 }
 
 /// How well a label goes with a parameter; `None` if it says that something else is meant.
@@ -358,7 +462,8 @@ fn of_kind(items: &[Expr], kind: Takes, curve: bool) -> Option<Vec<Expr>> {
         Takes::Variables => several().filter(|list| {
             list.items().is_some_and(|own| own.iter().all(|item| matches!(item.kind, Kind::Name(_))))
         })?,
-        Takes::Scalars | Takes::Points | Takes::List | Takes::Coordinates | Takes::Rows => several()?,
+        Takes::Scalars | Takes::Points | Takes::List | Takes::Rows => several()?,
+        Takes::Coordinates => several().or_else(|| one.filter(|item| plain(item)).cloned())?,
         Takes::ScalarOrList => several().or_else(|| one.cloned())?,
         Takes::Point => {
             one.filter(|item| matches!(item.kind, Kind::Tuple(_) | Kind::Number(_) | Kind::Div(..)))?.clone()

@@ -111,7 +111,7 @@ impl Draft {
             return;
         }
         // the regression line, die Ausgleichsgerade
-        let degree = self.builtin.parameters.iter().find(|own| own.name == "n" && own.need == Need::Required);
+        let degree = self.builtin.parameters.iter().find(|own| matches!(own.name, "n" | "degree"));
         if let (Some(degree), "least_squares", Some(n)) =
             (degree, self.builtin.name, phrases::degree_within(phrase))
         {

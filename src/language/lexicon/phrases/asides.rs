@@ -10,9 +10,9 @@ use super::Phrase::{self, Aside};
 pub(super) const ASIDES: &[(Phrase, &str)] = &[
     (
         Aside,
-        "some | quickly | quick | fast | right away | this | that | these | those | my | our | your | it | there | here | \
-         gives | gets | get | got | obtain | obtained | yields | produces | run | perform | carry out | plug | plug in | \
-         substitute in | know | see | me | us | you | we | i | so | thus | hence | kindly | ok | okay | hey | dear | \
+        "into factors | into linear factors | fraction | in faktoren | in linearfaktoren | bruch | en facteurs | en factores | fracción | in fattori | frazione | some | quickly | quick | fast | right away | this | that | these | those | my | our | your | it | there | here | \
+         gives | gets | get | got | obtain | obtained | yields | produces | run | perform | carry out |  \
+          know | see | me | us | you | we | i | so | thus | hence | kindly | ok | okay | hey | dear | \
          formula~ | expression~ |  thing~ | number~ | data | output | directly | still | already | usual | ordinary | nice | \
          certain | particular | specific | called | named | say | belonging | belongs | belong | belonging to | associated | \
          associated with | respective | mentioned | can | could | should | will | be | being | am | was | were | \

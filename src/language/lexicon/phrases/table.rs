@@ -77,6 +77,21 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "split | subdivide | \
          cut | chop | bisect | halve | divide | zerlege~ | zerteile~ | halbiere~ | coupe | couper | divise | diviser | corta | cortar | dividir | 分成 | 拆分 | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
     ),
+    (
+        Function("degree"),
+        "what degree has | what degree does | which degree has | which degree does | welchen grad hat | quel degré a | \
+         qué grado tiene | che grado ha",
+    ),
+    (
+        Command("subs"),
+        "plug | plug in | substitute | put in | setze | setze ein | einsetzen | substituer | substitue | remplace | remplacer | \
+         sustituye | sustituir | sustituyendo | sostituisci | sostituire | 代入",
+    ),
+    (
+        Command("figure_bezier"),
+        "draw | sketch | zeichne~ | skizziere | plotte | tracer | dessine | dessiner | dibuja | dibujar | grafica | graficar | \
+         disegna | disegnare | 画 | 绘制 | 画出",
+    ),
     (Command("reverse"), "reverse"),
     (
         Command("part"),
@@ -287,7 +302,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "around | about | autour de | alrededor de | intorno a | at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "around | about | autour de | alrededor de | intorno a | at | in the point | parameter | parameter value | parameterwert | paramètre | parámetro | parametro | at the parameter value | at parameter value | 参数 | 参数值 | 在参数 | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
@@ -312,7 +327,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(With),
-        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
+        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | under | unter | sous | bajo | sotto | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
     ),
     (
         Phrase::Label(Through),
@@ -330,7 +345,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Nodes),
-        "nodes | node | stützstelle~ | den stellen | an den stellen | den stützstellen | abscissae | abscissas | abscisses",
+        "nodes | node | aux nœuds | aux noeuds | at the nodes | at nodes | an den knoten | en los nodos | nei nodi | stützstelle~ | den stellen | an den stellen | den stützstellen | abscissae | abscissas | abscisses",
     ),
     (Phrase::Label(Values), "values | ordinates | werte | werten | valeurs | valores | valori"),
     (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),

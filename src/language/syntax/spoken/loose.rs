@@ -64,13 +64,27 @@ fn gathered(text: &str, parts: &[Part]) -> Option<Request> {
             Part::Piece(span) if begins_equation(text.piece(span.range())) => {
                 found.said.push(Said { label: Label::With, what: What::Formula(span) });
             }
+            // two rounds of the scheme
+            Part::Piece(span)
+                if matches!(parts.get(at), Some(Part::Phrase(Phrase::Label(Label::Times), _))) =>
+            {
+                at += 1;
+                found.said.push(Said { label: Label::Times, what: What::Formula(span) });
+            }
             Part::Piece(span) => {
                 // Formulas at several places are several things.
                 let joined = at > 1 && matches!(parts[at - 2], Part::Phrase(Phrase::And, _));
-                if !found.objects.is_empty() && !joined {
-                    return None;
+                // of a line with the curve 0, 1, 3
+                let other = at > 2
+                    && matches!(parts[at - 2], Part::Phrase(Phrase::Function("bezier"), _))
+                    && matches!(parts[at - 3], Part::Phrase(Phrase::Label(Label::With) | Phrase::And, _));
+                match (found.objects.is_empty(), joined, other) {
+                    (true, ..) | (_, true, _) => found.objects.push(span),
+                    (_, _, true) => {
+                        found.said.push(Said { label: Label::With, what: What::Formula(span) });
+                    }
+                    _ => return None,
                 }
-                found.objects.push(span);
             }
             Part::Phrase(phrase, span) => at += found.take(text, phrase, span, &parts[at..])?,
         }
@@ -137,6 +151,22 @@ impl Found {
                 say(Label::Rational, What::Degree(1));
                 Some(0)
             }
+            // eliminate t from x = t^2, y = t^3
+            Phrase::Label(Label::From)
+                if matches!(rest.first(), Some(Part::Piece(span)) if begins_equation(text.piece(span.range())))
+                    && !matches!(
+                        rest.get(1),
+                        Some(Part::Phrase(Phrase::And | Phrase::Label(Label::To), _))
+                    )
+                    && self.objects.is_empty() =>
+            {
+                let equations = rest.iter().map_while(|part| match part {
+                    Part::Piece(span) => Some(*span),
+                    Part::Phrase(..) => None,
+                });
+                self.objects.extend(equations);
+                Some(self.objects.len())
+            }
             Phrase::Label(label) => match rest.first() {
                 Some(Part::Piece(_)) => Some(self.labelled(text, label, rest)),
                 // with knots 0, 1, 2; into Bézier segments
@@ -154,6 +184,8 @@ impl Found {
                 _ => None,
             },
             Phrase::Of | Phrase::And | Phrase::Using | Phrase::Curve | Phrase::Filler => Some(0),
+            // What degree does t^2 have?
+            Phrase::Is if self.objects.is_empty() && !self.before.is_empty() && !rest.is_empty() => Some(0),
             _ => None,
         }
     }
@@ -168,7 +200,7 @@ impl Found {
                 (Label::From, 2) => Label::To,
                 _ => label,
             };
-            if equation && taken > 0 {
+            if equation && taken > 0 && label != Label::To {
                 return taken;
             }
             self.said.push(Said { label, what: What::Formula(*span) });

@@ -69,7 +69,22 @@ fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Ve
     splines(&mut parts);
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
+    within(text, &mut parts);
     parts
+}
+
+/// A curve is reparametrized to a subinterval of its own by taking that part of it.
+fn within(text: &str, parts: &mut [Part]) {
+    let sub = |part: &Part| {
+        matches!(part, Part::Phrase(Phrase::Label(Label::Over), span)
+            if ["sub", "teil", "sous", "子"].iter().any(|start| text.piece(span.range()).to_lowercase().starts_with(start)))
+    };
+    let Some(_) = parts.iter().find(|part| sub(part)) else { return };
+    for part in parts.iter_mut() {
+        if let Part::Phrase(phrase @ Phrase::Command("over"), _) = part {
+            *phrase = Phrase::Command("part");
+        }
+    }
 }
 
 /// One pair or triple of formulas with a letter: (t, t^2).
