@@ -468,13 +468,17 @@ fn of_kind(items: &[Expr], kind: Takes, curve: bool) -> Option<Vec<Expr>> {
         Takes::Point => {
             one.filter(|item| matches!(item.kind, Kind::Tuple(_) | Kind::Number(_) | Kind::Div(..)))?.clone()
         }
-        Takes::Net => match several()? {
-            // The corners of a bilinear patch, row by row.
-            Expr { kind: Kind::List(own), .. } if own.len() == 4 && own.iter().all(plain) => {
-                list(own.chunks(2).map(|row| list(row.to_vec())).collect())
+        // Four corners of a bilinear patch, row by row; else rows that are written as such.
+        Takes::Net => {
+            let net = several()?;
+            let own = net.items().unwrap_or_default();
+            let rows = |item: &Expr| matches!(item.kind, Kind::List(_));
+            match own.iter().filter(|item| rows(item)).count() {
+                0 if own.len() == 4 => list(own.chunks(2).map(|row| list(row.to_vec())).collect()),
+                count if count == own.len() => net,
+                _ => return None,
             }
-            net => net,
-        },
+        }
         Takes::Curve | Takes::Geometry => match one {
             Some(made @ Expr { kind: Kind::Apply(..) | Kind::Name(_), .. }) => made.clone(),
             _ => bezier(several()?),

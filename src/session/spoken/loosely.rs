@@ -2,6 +2,7 @@
 
 use super::{KINDS_NOTE, Reader};
 use crate::budget::Limits;
+use crate::formula::Expr;
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
@@ -18,6 +19,20 @@ impl Session {
     /// The answer to a request that is not read word by word, with a note of the words left aside; `None` if there is no reading
     /// that has an answer.
     pub(in crate::session) fn run_loosely(&mut self, file: &SourceFile, whole: Span) -> Option<Answer> {
+        let (_, aside, mut answer, there) = self.loosely(file, whole)?;
+        answer.file = file.clone();
+        answer.outcome.notes.extend(left_aside(file, whole, &aside));
+        self.env = there.env;
+        Some(answer)
+    }
+
+    /// The formula that such a request stands for.
+    pub(in crate::session) fn spoken_loosely(&self, file: &SourceFile, whole: Span) -> Option<Expr> {
+        self.loosely(file, whole).map(|(formula, ..)| formula)
+    }
+
+    /// The first reading that has an answer, with the words that it leaves aside.
+    fn loosely(&self, file: &SourceFile, whole: Span) -> Option<(Expr, Vec<Span>, Answer, Session)> {
         let text = file.slice(whole);
         let fractions = fractions::with_digits(text);
         let text = fractions.as_deref().unwrap_or(text);
@@ -37,10 +52,9 @@ impl Session {
         let mut there = self.clone();
         there.limits = Limits { steps: Some(TRIED_STEPS), ..there.limits };
         for reading in syntax::loosely(text, &known, &function_in_words) {
-            let claims = reading.asked.equals.is_some();
-            let bound = match claims {
-                true => Vec::new(),
-                false => match reader.collected(reading.asked.request.clone()) {
+            let bound = match &reading.asked.equals {
+                Some(_) => Vec::new(),
+                None => match reader.collected(reading.asked.request.clone()) {
                     Ok(Some(asked)) => reader.bound(&asked),
                     _ => Vec::new(),
                 },
@@ -48,17 +62,14 @@ impl Session {
             let usual = reader.formula(reading.asked).ok().flatten();
             for formula in usual.into_iter().chain(bound) {
                 let mut tried = there.clone();
-                let Ok(mut answer) = tried.evaluated_as(&masked, formula, whole, Equals::Claims) else {
+                let Ok(answer) = tried.evaluated_as(&masked, formula.clone(), whole, Equals::Claims) else {
                     continue;
                 };
                 // A list in the middle is no curve.
-                if answer.outcome.notes.iter().any(|note| note.message.starts_with(KINDS_NOTE)) {
-                    continue;
+                if !answer.outcome.notes.iter().any(|note| note.message.starts_with(KINDS_NOTE)) {
+                    tried.limits = self.limits.clone();
+                    return Some((formula, reading.aside, answer, tried));
                 }
-                answer.file = file.clone();
-                answer.outcome.notes.extend(left_aside(file, whole, &reading.aside));
-                self.env = tried.env;
-                return Some(answer);
             }
         }
         None
