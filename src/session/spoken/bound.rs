@@ -2,6 +2,7 @@
 //! goes to the parameter that fits it best, and only if there is one best way for all of them.
 
 use super::Reader;
+use super::apposition::has_rows;
 use super::draft::{Draft, list};
 use super::utterance::Utterance;
 use crate::formula::source::Span;
@@ -52,6 +53,12 @@ impl Reader<'_> {
             return Vec::new();
         }
         let Some(said) = said(asked, own, schemes) else { return Vec::new() };
+        if own.builtin.name == "patch"
+            && has_rows(&asked.drafts, &asked.items).is_err()
+            && !is_on_diagonal(&said)
+        {
+            return Vec::new();
+        }
         let curve =
             kinds.iter().any(|kind| kind.builtin.name == "bezier" && kind.builtin.name != own.builtin.name);
         let meant = std::iter::once(own.builtin.name).chain(senses(own.builtin.name).iter().copied());
@@ -193,6 +200,18 @@ impl Reader<'_> {
     }
 }
 
+/// Whether a place is said that is the same for u and v, so that it does not matter which corners of a patch are neighbours.
+fn is_on_diagonal(said: &[Said]) -> bool {
+    let places = said.iter().filter(|said| matches!(said.label, Some(Label::At | Label::With)));
+    let values = places.flat_map(|said| &said.items).flat_map(|item| match &item.kind {
+        Kind::Tuple(own) => own.clone(),
+        _ => vec![eval::named(item).map_or_else(|| item.clone(), |(_, value)| value.clone())],
+    });
+    let mut values: Vec<String> = values.map(|value| crate::language::write::text(&value)).collect();
+    values.dedup();
+    values.len() == 1
+}
+
 /// A formula with values for its names: substitute t = 2u in t^3.
 fn values_put_in(function: &Builtin, phrase: Span, said: &[Said]) -> Option<Expr> {
     let items = said.iter().flat_map(|said| &said.items).cloned();
@@ -287,7 +306,7 @@ fn said(asked: &Utterance, own: &Draft, scheme: Option<Option<Expr>>) -> Option<
             })
         })
     };
-    if own.builtin.parameters.iter().all(|own| !matches!(own.name, "n" | "degree"))
+    if own.builtin.parameters.iter().all(|own| !matches!(own.name, "n" | "degree" | "d" | "k" | "i" | "m"))
         && degree.as_ref().is_some_and(|degree| counted(degree, &all))
         && scheme.is_none()
     {
