@@ -146,10 +146,8 @@ impl Session {
                 | Code::BadNumber
                 | Code::Type
                 | Code::Arity
-                | Code::Usage
                 | Code::AmbiguousVariable
-                | Code::Unsupported
-        );
+        ) || spoken::is_left_over(&failure.problem);
         match of_words.then(|| self.run_loosely(file, whole)).flatten() {
             Some(answer) => Ok(vec![answer]),
             None => Err(self.advised(file, whole, failure)),

@@ -317,7 +317,6 @@ const DENYING: &[&str] = &[
     "mean",
     "average",
     "absolute",
-    "only",
     "nur",
     "seulement",
     "sólo",

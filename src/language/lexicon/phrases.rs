@@ -8,6 +8,9 @@ mod table;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+#[cfg(test)]
+pub(crate) use self::names::lines as names_of_functions;
+
 use self::asides::ASIDES;
 use self::features::FEATURES;
 use self::table::PHRASES;

@@ -54,7 +54,7 @@ impl Reader<'_> {
         }
         let Some(said) = said(asked, own, schemes) else { return Vec::new() };
         if own.builtin.name == "patch"
-            && has_rows(&asked.drafts, &asked.items).is_err()
+            && said.iter().any(|said| has_rows(&asked.drafts, &said.items).is_err())
             && !is_on_diagonal(&said)
         {
             return Vec::new();
@@ -91,7 +91,6 @@ impl Reader<'_> {
                 | Gives::Spline
                 | Gives::SameCurve
                 | Gives::Piecewise
-                | Gives::Any
         );
         let value = |item: &Expr| match eval::named(item) {
             Some((name, value)) => roles::is_variable(&name).then(|| value.clone()),

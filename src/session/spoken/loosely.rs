@@ -12,6 +12,9 @@ use crate::language::syntax;
 use crate::session::{Answer, Session, defines};
 use std::cell::Cell;
 
+/// Longer texts are no requests.
+const LONGEST: usize = 1000;
+
 /// The steps for a reading that is only tried.
 const TRIED_STEPS: u64 = 2_000_000;
 
@@ -34,6 +37,9 @@ impl Session {
     /// The first reading that has an answer, with the words that it leaves aside.
     fn loosely(&self, file: &SourceFile, whole: Span) -> Option<(Expr, Vec<Span>, Answer, Session)> {
         let text = file.slice(whole);
+        if text.len() > LONGEST {
+            return None;
+        }
         let fractions = fractions::with_digits(text);
         let text = fractions.as_deref().unwrap_or(text);
         let counted = fractions::with_counts(text, &function_in_words);

@@ -10,11 +10,11 @@ use super::Phrase::{self, Aside};
 pub(super) const ASIDES: &[(Phrase, &str)] = &[
     (
         Aside,
-        "into factors | into linear factors | fraction | in faktoren | in linearfaktoren | bruch | en facteurs | en factores | fracción | in fattori | frazione | some | quickly | quick | fast | right away | this | that | these | those | my | our | your | it | there | here | \
+        "into factors | into linear factors | fraction | in faktoren | in linearfaktoren | bruch | en facteurs | en factores | fracción | in fattori | frazione | some | quickly | quick | fast | right away | this | these | those | my | our | your | it | there | here | \
          gives | gets | get | got | obtain | obtained | yields | produces | run | perform | carry out |  \
-          know | see | me | us | you | we | i | so | thus | hence | kindly | ok | okay | hey | dear | \
+          know | see | me | us | you | we | so | thus | hence | kindly | ok | okay | hey | dear | \
          formula~ | expression~ |  thing~ | number~ | data | output | directly | still | already | usual | ordinary | nice | \
-         certain | particular | specific | called | named | say | belonging | belongs | belong | belonging to | associated | \
+         certain | particular | specific | called | named | belonging | belongs | belong | belonging to | associated | \
          associated with | respective | mentioned | can | could | should | will | be | being | am | was | were | \
          made | formed | defined | defined by | described | described by | having | as well | too |  namely | want | wanted | required | \
          sought | asked | handy | answers | results |   procedure | method | technique | homework | exercise | \

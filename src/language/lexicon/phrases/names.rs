@@ -16,7 +16,7 @@ pub(super) struct Named {
 }
 
 /// The lines of the list: a function and what stands behind it.
-fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
     let lines = LIST.lines().filter(|line| !line.starts_with('#'));
     lines.filter_map(|line| line.split_once(": "))
 }
@@ -157,23 +157,8 @@ fn doing(words: &str) -> Option<Phrase> {
 
 #[cfg(test)]
 mod tests {
-    use super::{all, each, lines, plain};
-    use crate::language::functions::BUILTINS;
-    use std::collections::{BTreeMap, BTreeSet};
-
-    #[test]
-    fn every_function_has_a_name_in_each_language() {
-        const LANGUAGES: usize = 6;
-        let listed: BTreeMap<&str, &str> = lines().collect();
-        let functions: BTreeSet<&str> = BUILTINS.iter().map(|builtin| builtin.name).collect();
-        assert_eq!(listed.keys().copied().collect::<BTreeSet<_>>(), functions);
-        for (function, names) in listed {
-            let reason = names.strip_prefix("- ").is_some_and(|reason| reason.split(' ').count() > 2);
-            let languages = names.split(';');
-            let full = languages.clone().all(|own| own.split('|').all(|name| !name.trim().is_empty()));
-            assert!(reason || full && languages.count() == LANGUAGES, "{function}: {names}");
-        }
-    }
+    use super::{all, each, plain};
+    use std::collections::BTreeMap;
 
     #[test]
     fn no_name_belongs_to_two_functions() {

@@ -185,7 +185,9 @@ impl Found {
             },
             Phrase::Of | Phrase::And | Phrase::Using | Phrase::Curve | Phrase::Filler => Some(0),
             // What degree does t^2 have?
-            Phrase::Is if self.objects.is_empty() && !self.before.is_empty() && !rest.is_empty() => Some(0),
+            Phrase::Is if self.objects.is_empty() && self.said.is_empty() && !self.before.is_empty() => {
+                Some(0)
+            }
             _ => None,
         }
     }
