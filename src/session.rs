@@ -131,7 +131,27 @@ impl Session {
         whole: Span,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
-        self.run_part(file, whole, equals).map_err(|failure| self.advised(file, whole, failure))
+        let failure = match self.run_part(file, whole, equals) {
+            Ok(answers) => return Ok(answers),
+            Err(failure) => failure,
+        };
+        // What is wrong with a request that was read stays wrong.
+        let of_words = matches!(
+            failure.problem.code,
+            Code::UnknownName
+                | Code::UnknownFunction
+                | Code::UnexpectedCharacter
+                | Code::UnexpectedToken
+                | Code::UnexpectedEnd
+                | Code::BadNumber
+                | Code::Type
+                | Code::Arity
+                | Code::AmbiguousVariable
+        ) || spoken::is_left_over(&failure.problem);
+        match of_words.then(|| self.run_loosely(file, whole)).flatten() {
+            Some(answer) => Ok(vec![answer]),
+            None => Err(self.advised(file, whole, failure)),
+        }
     }
 
     /// Runs a part of a file; `k = 1, b = 2` are two statements. What is no formula may be a line of several.
@@ -189,6 +209,9 @@ impl Session {
         }
         if let Some(start) = foreign::scripts::after_package(text) {
             return self.run_part(file, Span::new(whole.start + start, whole.end), equals);
+        }
+        if let Some(answers) = self.run_sought(file, whole)? {
+            return Ok(answers);
         }
         let asked = text.trim_end_matches(['?', '？']).trim_end().strip_suffix('=');
         if let Some(formula) =
@@ -317,7 +340,8 @@ impl Session {
     ) -> Result<Answer, Box<Failure>> {
         let span = statement.span;
         let (with_arguments, remark) = self.with_members_called(statement);
-        statement = with_arguments;
+        let (with_operator, operator) = self.with_operator_applied(with_arguments);
+        statement = with_operator;
         let known = |name: &str| defines(&self.env, name);
         if let Some(problem) = foreign::spelling::set_of_numbers(&statement, &known) {
             return Err(Box::new(Failure { problem, file: file.clone() }));
@@ -331,7 +355,7 @@ impl Session {
                 foreign::spelling::remarks(&statement, file, &mut outcome.notes);
                 let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
                 foreign::spelling::differences(&statement, &function, &mut outcome.notes);
-                outcome.notes.extend(remark);
+                outcome.notes.extend(remark.into_iter().chain(operator));
                 outcome
                     .notes
                     .extend(foreign::spelling::degree_last(&statement, &|name| defines(&self.env, name)));

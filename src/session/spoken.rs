@@ -5,11 +5,13 @@
 
 mod applied;
 mod apposition;
+mod bound;
 mod draft;
 mod habits;
 mod knots;
 mod laws;
 mod lists;
+mod loosely;
 mod notations;
 mod objects;
 mod reading;
@@ -33,6 +35,9 @@ use crate::language::lexicon::{fractions, roles};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
+
+/// How the note begins that numbers are read as a curve.
+const KINDS_NOTE: &str = "read as the curve bezier([";
 
 /// Something that a label says, read.
 #[derive(Clone)]
@@ -85,6 +90,15 @@ impl Session {
         Ok(formula.map(|formula| (formula, reader.used_topic.get())))
     }
 }
+
+/// Whether something said found no place; any other refusal of a request is meant.
+pub(super) fn is_left_over(problem: &Diagnostic) -> bool {
+    problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
+}
+
+const NO_PLACE: &str = "nothing here takes this";
+
+const NO_DEGREE: &str = "this degree does not fit";
 
 /// A formula with a list for its notations, such as knots for N_{i,n}; `None` if it has none of them.
 pub(super) fn with_list(formula: &Expr, label: Label, items: &[Expr]) -> Option<Expr> {
@@ -510,9 +524,9 @@ impl Reader<'_> {
     fn unused(&self, left: &Read, forms: &[String]) -> Box<Failure> {
         let place = left.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
         let (message, reason) = match left.label {
-            Label::OfDegree => ("this degree does not fit", "another degree, or another number of points"),
+            Label::OfDegree => (NO_DEGREE, "another degree, or another number of points"),
             Label::Rational => ("weights are missing", "a rational curve has a weight for each point"),
-            _ => ("nothing here takes this", "what is asked for does not depend on it"),
+            _ => (NO_PLACE, "what is asked for does not depend on it"),
         };
         let problem = Diagnostic::error(Code::Usage, message).at(place).reason(reason);
         let problem = forms.iter().fold(problem, |problem, form| problem.hint(format!("the form is {form}")));

@@ -183,6 +183,25 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("catmull_clark", "vertex_matrix"),
 ];
 
+/// Other functions that the word for one may mean, where what is said fits them: divide t^3 + 1 by t + 1, reduce a fraction.
+const SENSES: &[(&str, &[&str])] = &[
+    ("subdivide", &["quotient", "factor"]),
+    ("reduce", &["simplify"]),
+    ("bernstein", &["in_bernstein"]),
+    ("in_bernstein", &["bezier_points"]),
+    ("normal", &["normal_at"]),
+    ("polar", &["polar_total"]),
+    ("figure_bezier", &["figure_functions", "figure_bspline"]),
+    ("arc_length", &["polygon_length", "length"]),
+    ("integrate", &["area"]),
+    ("intersections", &["solve"]),
+];
+
+/// What else the word for a function may mean.
+pub(crate) fn senses(name: &str) -> &'static [&'static str] {
+    SENSES.iter().find(|(own, _)| *own == name).map_or(&[], |(_, others)| others)
+}
+
 type Names = HashMap<&'static str, &'static str>;
 
 /// The first meaning of each name.

@@ -46,10 +46,11 @@ mod triangulations;
 mod vertices;
 
 pub(crate) use callable::{
-    alias, callable, function_called, function_in_words, function_meant, is_argument_word, names, synonym,
+    alias, callable, function_called, function_in_words, function_meant, is_argument_word, names, senses,
+    synonym,
 };
 
-pub(crate) use notions::{BASIS, BASIS_OR_KNOTS, is_word};
+pub(crate) use notions::{BASIS, BASIS_OR_KNOTS, SCHEME, is_word};
 
 pub use super::ops::takes::{Notion, Takes};
 pub use arrange::Arrangement;

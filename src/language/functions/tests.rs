@@ -1,6 +1,8 @@
 use super::{BUILTINS, Builtin, Need, Parameter, builtin};
+use crate::language::lexicon::phrases::names_of_functions;
 use crate::language::value::Language;
 use crate::math::blossom::Method;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Every list of parameters, with the function it belongs to.
 fn lists(each: &mut dyn FnMut(&Builtin, &[Parameter])) {
@@ -99,4 +101,18 @@ fn words_are_those_that_are_read() {
     assert!(!derive.takes_word_at(1, "sum", true));
     let spline = builtin("cubic_spline").expect("a function");
     assert!(spline.takes_word_at(2, "natural", true) && !spline.takes_word_at(2, "naturl", false));
+}
+
+#[test]
+fn every_function_has_a_name_in_each_language() {
+    const LANGUAGES: usize = 6;
+    let listed: BTreeMap<&str, &str> = names_of_functions().collect();
+    let functions: BTreeSet<&str> = BUILTINS.iter().map(|builtin| builtin.name).collect();
+    assert_eq!(listed.keys().copied().collect::<BTreeSet<_>>(), functions);
+    for (function, names) in listed {
+        let reason = names.strip_prefix("- ").is_some_and(|reason| reason.split(' ').count() > 2);
+        let languages = names.split(';');
+        let full = languages.clone().all(|own| own.split('|').all(|name| !name.trim().is_empty()));
+        assert!(reason || full && languages.count() == LANGUAGES, "{function}: {names}");
+    }
 }

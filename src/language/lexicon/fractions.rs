@@ -1,6 +1,7 @@
-//! Fractions in words: one third, drei Viertel, 三分之一.
+//! Numbers in words: one third, drei Viertel, 三分之一, four.
 
 use super::letters::is_ideograph;
+use super::phrases;
 
 /// Words, and the digits in their place.
 const FRACTIONS: &[(&str, &str)] = &[
@@ -39,6 +40,13 @@ const FRACTIONS: &[(&str, &str)] = &[
     ("due terzi", "2/3"),
     ("un quarto", "1/4"),
     ("tre quarti", "3/4"),
+    ("unit interval", "[0, 1]"),
+    ("einheitsintervall", "[0, 1]"),
+    ("intervalle unité", "[0, 1]"),
+    ("intervalo unidad", "[0, 1]"),
+    ("intervalo unitario", "[0, 1]"),
+    ("intervallo unitario", "[0, 1]"),
+    ("单位区间", "[0, 1]"),
     ("二分之一", "1/2"),
     ("三分之一", "1/3"),
     ("三分之二", "2/3"),
@@ -79,9 +87,57 @@ pub(crate) fn with_digits(text: &str) -> Option<String> {
     found.and_then(|bytes| String::from_utf8(bytes).ok())
 }
 
+/// Numbers from 2 on in the languages that set blanks. One is also an article and a pronoun.
+const COUNTS: &[[&str; 5]] = &[
+    ["two", "zwei", "deux", "dos", "due"],
+    ["three", "drei", "trois", "tres", "tre"],
+    ["four", "vier", "quatre", "cuatro", "quattro"],
+    ["five", "fünf", "cinq", "cinco", "cinque"],
+    ["six", "sechs", "six", "seis", "sei"],
+    ["seven", "sieben", "sept", "siete", "sette"],
+    ["eight", "acht", "huit", "ocho", "otto"],
+    ["nine", "neun", "neuf", "nueve", "nove"],
+];
+
+/// The same for whole numbers in words; a word of a phrase, such as "first two", stays.
+pub(crate) fn with_counts(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<String> {
+    let mut found: Option<Vec<u8>> = None;
+    let mut at = 0;
+    let mut before = ' ';
+    while let Some(c) = text.get(at..).and_then(|rest| rest.chars().next()) {
+        let length: usize = match c.is_alphabetic() && !is_ideograph(c) && !before.is_alphanumeric() {
+            true => match phrases::phrase(text.get(at..)?, function) {
+                Some((_, length)) => length,
+                None => {
+                    let word = text.get(at..)?.chars().take_while(|c| c.is_alphabetic());
+                    word.map(char::len_utf8).sum()
+                }
+            },
+            false => c.len_utf8(),
+        };
+        let word = text.get(at..at + length)?.to_lowercase();
+        if let Some(count) = COUNTS.iter().position(|words| words.contains(&word.as_str())) {
+            let place = found.get_or_insert_with(|| text.as_bytes().to_vec()).get_mut(at..at + length)?;
+            place.fill(b' ');
+            *place.first_mut()? = b'2' + u8::try_from(count).ok()?;
+        }
+        before = text.get(..at + length)?.chars().next_back()?;
+        at += length;
+    }
+    found.and_then(|bytes| String::from_utf8(bytes).ok())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::with_digits;
+    use super::{with_counts, with_digits};
+
+    #[test]
+    fn counts_are_digits() {
+        assert_eq!(with_counts("elevate by two", &|_| None).as_deref(), Some("elevate by 2  "));
+        assert_eq!(with_counts("um drei Grade", &|_| None).as_deref(), Some("um 3    Grade"));
+        assert_eq!(with_counts("the first two points", &|_| None), None);
+        assert_eq!(with_counts("the four point scheme", &|_| None), None);
+    }
 
     #[test]
     fn fractions_are_digits() {

@@ -1,11 +1,17 @@
 //! What is asked for in words: `polar form of t^3`, `racines de t^2 - 1`, `t^2 的极形式`.
 
+mod asides;
 mod features;
+mod names;
 mod table;
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+#[cfg(test)]
+pub(crate) use self::names::lines as names_of_functions;
+
+use self::asides::ASIDES;
 use self::features::FEATURES;
 use self::table::PHRASES;
 use super::letters::is_ideograph;
@@ -77,6 +83,8 @@ pub(crate) enum Phrase {
     AppliedTo,
     /// It says nothing: the, please.
     Filler,
+    /// It carries no role and may be left aside, which the answer tells: quickly, some.
+    Aside,
 }
 
 /// A place that has a word.
@@ -162,23 +170,45 @@ const ENDINGS: &[&str] = &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", 
 /// Words that may stand inside of a phrase: insert the knot.
 const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "les", "el", "los"];
 
-/// All phrases.
-fn all() -> impl Iterator<Item = &'static (Phrase, &'static str)> {
-    PHRASES.iter().chain(FEATURES)
+/// All phrases of the tables.
+fn all() -> impl Iterator<Item = (Phrase, &'static str)> {
+    let listed = PHRASES.iter().chain(FEATURES).chain(ASIDES);
+    listed.flat_map(|(phrase, names)| names.split(" | ").map(|name| (*phrase, name)))
+}
+
+/// The same, with the names of functions in languages that set no blanks.
+fn all_with_names() -> impl Iterator<Item = (Phrase, &'static str)> {
+    let named = names::all().map(|named| (Phrase::Function(named.function), named.name));
+    all().chain(named.filter(|(_, name)| name.contains(is_ideograph)))
+}
+
+/// The ways in which words of the tables are written.
+fn forms_of(name: &str) -> Vec<String> {
+    name.split(' ').map(forms).fold(vec![String::new()], |starts, forms| {
+        let with = |start: &String, form: &String| match start.is_empty() {
+            true => form.clone(),
+            false => format!("{start} {form}"),
+        };
+        starts.iter().flat_map(|start| forms.iter().map(move |form| with(start, form))).collect()
+    })
+}
+
+/// The phrase that words in small letters are by the tables.
+fn listed(written: &str) -> Option<Phrase> {
+    let own = BY_START.get(written.split(' ').next()?)?;
+    own.iter().find(|(_, name)| says(written, name)).map(|(phrase, _)| *phrase)
 }
 
 /// The phrases that begin with a word, or with an ideograph.
 static BY_START: LazyLock<HashMap<String, Vec<(Phrase, &str)>>> = LazyLock::new(|| {
     let mut found: HashMap<String, Vec<(Phrase, &str)>> = HashMap::new();
-    for (phrase, names) in all() {
-        for name in names.split(" | ") {
-            let start = match name.char_indices().nth(1) {
-                Some((second, _)) if name.starts_with(is_ideograph) => name.get(..second),
-                _ => name.split(' ').next(),
-            };
-            for form in forms(start.unwrap_or(name)) {
-                found.entry(form).or_default().push((*phrase, name));
-            }
+    for (phrase, name) in all_with_names() {
+        let start = match name.char_indices().nth(1) {
+            Some((second, _)) if name.starts_with(is_ideograph) => name.get(..second),
+            _ => name.split(' ').next(),
+        };
+        for form in forms(start.unwrap_or(name)) {
+            found.entry(form).or_default().push((phrase, name));
         }
     }
     found
@@ -188,8 +218,8 @@ const LONGEST_MIXED: usize = 14;
 
 /// The phrases of letters and ideographs.
 static MIXED: LazyLock<Vec<(Phrase, &str)>> = LazyLock::new(|| {
-    let names = all().flat_map(|(phrase, names)| names.split(" | ").map(|name| (*phrase, name)));
-    names.filter(|(_, name)| !name.starts_with(is_ideograph) && name.contains(is_ideograph)).collect()
+    let mixed = |name: &str| !name.starts_with(is_ideograph) && name.contains(is_ideograph);
+    all_with_names().filter(|(_, name)| mixed(name)).collect()
 });
 
 /// The forms of a word of the table.
@@ -214,7 +244,7 @@ fn says(written: &str, name: &str) -> bool {
 ///
 /// A phrase ends with a word, but for those of languages that set no blanks.
 pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<(Phrase, usize)> {
-    const LONGEST: usize = 6;
+    const LONGEST: usize = 7;
     const SHORTEST_NAME: usize = 3;
     if text.starts_with(is_ideograph) {
         let second = text.char_indices().nth(1).map_or(text.len(), |(at, _)| at);
@@ -266,7 +296,7 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         at += separator + word.len();
         let own = listed.get_or_insert_with(|| BY_START.get(written.as_str()).map_or(&[][..], Vec::as_slice));
         // Most letters of formulas begin no phrase.
-        if own.is_empty() && written.len() < SHORTEST_NAME {
+        if own.is_empty() && written.len() < SHORTEST_NAME && !names::begins(&written) {
             break;
         }
         let article = number > 0 && ARTICLES.contains(&small.as_str());
@@ -275,7 +305,13 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         let name = || function(&written.replace(' ', "_")).filter(|_| written.len() >= SHORTEST_NAME);
         // A spline of degree 2 is no spline_of.
         let goes_on = found.is_some() && written.ends_with(" of");
-        if let Some(phrase) = known.or_else(|| name().filter(|_| !goes_on).map(Function)) {
+        let both = |read: fn(&str) -> Option<Phrase>| {
+            read(&written).or_else(|| read(&short).filter(|_| !article && short != written))
+        };
+        let name = || name().filter(|_| !goes_on).map(Function);
+        if let Some(phrase) =
+            known.or_else(|| both(names::named)).or_else(name).or_else(|| both(names::spelled))
+        {
             found = Some((phrase, at));
         }
     }
@@ -302,6 +338,19 @@ pub(crate) fn function_named(word: &str) -> Option<&'static str> {
     })
 }
 
+/// The degree that a word of a phrase says, also at its end: regression line, Ausgleichsgerade.
+pub(crate) fn degree_within(phrase: &str) -> Option<i64> {
+    const SHORTEST: usize = 4;
+    let degree = |word: &str| match listed(word)? {
+        Phrase::Degree(degree) => Some(degree),
+        _ => None,
+    };
+    phrase.split([' ', '-']).find_map(|word| {
+        let ends = word.char_indices().filter_map(|(at, _)| word.get(at..));
+        ends.filter(|end| end.len() >= SHORTEST).find_map(degree)
+    })
+}
+
 /// The phrase of one or two words that somebody may have misspelled with these.
 pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
     let known = |word: &str| phrase(word, &|_| None).is_some_and(|(_, length)| length == word.len());
@@ -309,8 +358,8 @@ pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
         return None;
     }
     let named = |phrase: &Phrase| matches!(phrase, Function(_) | Command(_));
-    let mut close = all().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
-    close.find(|name| {
+    let listed = all().filter(|(phrase, _)| named(phrase)).map(|(_, name)| name);
+    listed.chain(names::all().map(|named| named.name)).find(|name| {
         let stem = name.trim_end_matches('~');
         // No word in letters is meant for one with other signs.
         if stem.contains(is_ideograph) && !word.contains(is_ideograph) {
@@ -349,17 +398,8 @@ mod tests {
     #[test]
     fn no_phrase_stands_twice() {
         let mut seen = std::collections::BTreeSet::new();
-        for name in all().flat_map(|(_, names)| names.split(" | ")) {
-            let words = name.split(' ').map(forms);
-            let all = words.fold(vec![String::new()], |starts, forms| {
-                starts
-                    .iter()
-                    .flat_map(|start| forms.iter().map(move |form| format!("{start} {form}")))
-                    .collect()
-            });
-            for form in all {
-                assert!(seen.insert(form.clone()), "{form}");
-            }
+        for form in all().flat_map(|(_, name)| forms_of(name)) {
+            assert!(seen.insert(form.clone()), "{form}");
         }
     }
 }

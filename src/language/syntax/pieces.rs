@@ -120,7 +120,7 @@ pub(super) fn parts(
             start = at;
             listed = false;
         }
-        listed |= depth == 0 && matches!(c, ',' | '=') || depth == 1 && c == ']';
+        listed |= depth == 0 && matches!(c, ',' | '=' | ':') || depth == 1 && c == ']';
         // -> Bernstein
         if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
             let after = text.piece(at + arrow.len()..).trim_start();
@@ -232,7 +232,7 @@ pub(crate) fn is_title(
         let plain =
             word.chars().count() > 2 && word.chars().all(|c| c.is_alphabetic() || matches!(c, '-' | '\''));
         let says = match phrase(word, function) {
-            Some((Phrase::Filler, _)) | None => false,
+            Some((Phrase::Filler | Phrase::Aside, _)) | None => false,
             Some(_) => true,
         };
         count += 1;

@@ -7,6 +7,7 @@
 mod ahead;
 mod asks;
 mod counts;
+mod loose;
 mod meant;
 mod moved;
 mod pairs;
@@ -14,6 +15,7 @@ mod questions;
 mod totals;
 
 pub(crate) use self::counts::Count;
+pub(crate) use self::loose::loosely;
 pub(crate) use self::totals::family_index;
 use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
 use crate::formula::BigOp;
@@ -114,53 +116,32 @@ pub(crate) fn request(
     function: &dyn Fn(&str) -> Option<&'static str>,
     about: bool,
 ) -> Option<Asked> {
-    let masked = without_text_commands(text);
-    let masked = without_asides(masked.as_ref(), known, function);
-    let text = masked.as_ref();
-    let parts = parts(text, known, function);
-    if !(asks::is_request(text, &parts) || about && asks::is_about_something(text, &parts)) {
+    let (text, parts) = prepared(text, known, function, about)?;
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Aside, _))) {
         return None;
     }
-    let pieces = parts.iter().filter_map(|part| match part {
-        Part::Piece(span) => Some(text.piece(span.range())),
-        Part::Phrase(..) => None,
-    });
-    if pieces.into_iter().any(|piece| has_words(piece, known)) {
-        return None;
-    }
-    // A note tells where a largest value is taken; of other functions it is not known.
-    let extreme = |part: &Part| {
-        matches!(
-            part,
-            Part::Phrase(
-                Phrase::Function(
-                    "maximum"
-                        | "minimum"
-                        | "max"
-                        | "min"
-                        | "support"
-                        | "roots"
-                        | "critical_points"
-                        | "inflections"
-                        | "intersections"
-                        | "double_points"
-                        | "cross"
-                ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
-                    | Phrase::Vanishes,
-                _
-            )
-        )
-    };
-    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _))) && !parts.iter().any(extreme) {
-        return None;
-    }
-    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
-    let parts = moved::vanishing(parts);
-    let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let parts = meant::settled(text, asks::from_one_to_another(parts), known);
-    let mut reader = Reader { text, parts, at: 0 };
+    let parts = meant::told(&text, parts, known)?;
+    let mut reader = Reader { text: &text, parts, at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
+}
+
+/// A text without asides in brackets, and its parts, if their words are known and ask for something.
+fn prepared(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+    about: bool,
+) -> Option<(String, Vec<Part>)> {
+    let masked = without_text_commands(text);
+    let text = without_asides(masked.as_ref(), known, function).into_owned();
+    let parts = parts(&text, known, function);
+    if !(asks::is_request(&text, &parts) || about && asks::is_about_something(&text, &parts)) {
+        return None;
+    }
+    let unknown =
+        |part: &Part| matches!(part, Part::Piece(span) if has_words(text.piece(span.range()), known));
+    (!parts.iter().any(unknown)).then_some((text, parts))
 }
 
 /// Each knot as a place where it is inserted.

@@ -139,6 +139,7 @@ impl Session {
             let (query, clause) = self.without_clause(text, word, &|query| self.tried(query))?;
             Some(format!("without '{clause}' it is {query}"))
         });
+        let without = without.or_else(|| self.understood(text, found));
         let read_without = without.is_some();
         if let Some(hint) = without {
             problem = problem.hint(hint);
@@ -230,7 +231,8 @@ impl Session {
             let file = SourceFile::new("<proposed>", format!("{text} {more}"));
             let whole = Span::new(0, file.text().len());
             let formula = self.spoken(&file, whole).ok().flatten();
-            formula.and_then(|formula| self.tried(formula)).is_some()
+            let answered = formula.is_some_and(|formula| self.tried(formula).is_some());
+            answered || self.spoken_loosely(&file, whole).is_some()
         };
         if let Some(more) = BESIDES.iter().find(works) {
             failure.problem.hints.insert(0, format!("say more, for example: {text} {more}"));
@@ -244,8 +246,9 @@ impl Session {
         let written = |text: String| {
             let file = SourceFile::new("<proposed>", text);
             let whole = Span::new(0, file.text().len());
-            let formula = self.spoken(&file, whole).ok()??;
-            self.tried(formula)
+            let formula = self.spoken(&file, whole).ok().flatten();
+            let own = formula.and_then(|formula| self.tried(formula));
+            own.or_else(|| self.spoken_loosely(&file, whole).and_then(|formula| self.tried(formula)))
         };
         if let (Some(meant), true) = (misspelled, first == last) {
             let meant = meant.trim_end_matches('~');
@@ -276,6 +279,32 @@ impl Session {
         let words: Vec<String> =
             found.unknown.iter().map(|span| format!("'{}'", text.piece(span.range()))).collect();
         Some(format!("without {} it is {query}", words.join(" and ")))
+    }
+
+    /// What is understood where several words, or words that change the question, are not: the rest of it, which has an answer.
+    fn understood(&self, text: &str, found: &Words) -> Option<String> {
+        if found.unknown.is_empty()
+            || found.unknown.iter().any(|span| asking::denies(text.piece(span.range())))
+        {
+            return None;
+        }
+        // Two formulas with a word between them are no product.
+        let formula = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit() || "()[]{}".contains(c));
+        let between = |span: &Span| {
+            formula(text.piece(..span.start).trim_end().chars().next_back())
+                && formula(text.piece(span.end..).trim_start().chars().next())
+        };
+        if found.unknown.iter().any(between) {
+            return None;
+        }
+        let mut masked = text.as_bytes().to_vec();
+        found.unknown.iter().for_each(|span| masked[span.range()].fill(b' '));
+        let file = SourceFile::new("<proposed>", String::from_utf8(masked).ok()?);
+        let whole = Span::new(0, file.text().len());
+        let usual = self.spoken(&file, whole).ok().flatten().and_then(|formula| self.tried(formula));
+        let query =
+            usual.or_else(|| self.spoken_loosely(&file, whole).and_then(|formula| self.tried(formula)))?;
+        Some(format!("the rest, which may be another question, is {query}"))
     }
 
     /// A formula or a list that stands between words.

@@ -1,10 +1,12 @@
 //! Members of a family without their argument, beside others: `B_0^2 + B_1^2 + B_2^2 = 1` is about the polynomials.
 
-use crate::formula::{Expr, Kind, Rel, applied};
+use crate::formula::{Expr, Kind, Rel, applied, call};
 use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::{families, roles};
+use crate::language::value::Value;
 use crate::language::write;
+use crate::math::poly::Symbol;
 use crate::session::{Session, defines};
 
 impl Session {
@@ -33,6 +35,28 @@ impl Session {
         let mut statement = statement;
         put(&mut statement, &|expr| found.member(expr).is_some(), &letter);
         (statement, Some(note))
+    }
+}
+
+impl Session {
+    /// Bernstein's operator before the name of a function: B_n f, where n and f have values and B has none.
+    pub(in crate::session) fn with_operator_applied(&self, statement: Expr) -> (Expr, Option<Diagnostic>) {
+        let Kind::Mul(factors) = &statement.kind else { return (statement, None) };
+        let [operator, function] = factors.as_slice() else { return (statement, None) };
+        let (Kind::Subscript(letter, indices), Kind::Name(name)) = (&operator.kind, &function.kind) else {
+            return (statement, None);
+        };
+        let (Kind::Name(letter), [degree]) = (&letter.kind, indices.as_slice()) else {
+            return (statement, None);
+        };
+        let function_known = matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(_)));
+        if letter != "B" || defines(&self.env, letter) || !function_known {
+            return (statement, None);
+        }
+        let meant = call("bernstein_approximation", vec![function.clone(), degree.clone()], statement.span);
+        let note = format!("{} is read as {}", write::text(&statement), write::text(&meant));
+        let note = Diagnostic::note(Code::StandardMeaning, note).at(statement.span);
+        (meant, Some(note.hint("write B_n * f for a product")))
     }
 }
 

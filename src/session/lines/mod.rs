@@ -7,7 +7,7 @@
 //! | `clauses` | definitions in words |
 //! | `described` | an object in words, and questions about it |
 //! | `core` | what a line asks for inside of other words |
-//! | `condition`, `unknown`, `systems` | a name, a function, several names that conditions determine |
+//! | `condition`, `unknown`, `sought`, `systems` | a name, a function, a name in its definition, several names that conditions determine |
 //! | `certified` | claims about signs |
 //! | `members` | members of a family without their argument |
 //! | `units` | which lines of a file are read together |
@@ -20,6 +20,7 @@ mod data;
 mod described;
 mod members;
 mod several;
+mod sought;
 mod systems;
 mod units;
 mod unknown;

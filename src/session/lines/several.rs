@@ -185,7 +185,6 @@ impl Session {
 
     /// The equations of conditions, to be solved for a name that is asked for and has no value: x + a = 0, find a.
     fn unknown_of(&self, file: &SourceFile, asked: Span, conditions: &[(Span, bool)]) -> Option<Expr> {
-        let name = self.read(file, asked).ok()?;
         let mut equations = Vec::new();
         for (span, _) in conditions {
             let read = self.read(file, *span).ok()?;
@@ -196,6 +195,17 @@ impl Session {
                 _ => equations.push(read),
             }
         }
+        self.solved_for(file, asked, equations)
+    }
+
+    /// The call that solves equations for a name that has no value.
+    pub(in crate::session) fn solved_for(
+        &self,
+        file: &SourceFile,
+        asked: Span,
+        equations: Vec<Expr>,
+    ) -> Option<Expr> {
+        let name = self.read(file, asked).ok()?;
         let mut machine = evaluator::machine_in(&self.env);
         let symbol = name_of(&name, &mut machine).filter(|symbol| self.env.get(symbol).is_none())?;
         if equations.is_empty() || !equations.iter().all(is_equation) {

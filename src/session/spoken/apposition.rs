@@ -138,7 +138,7 @@ pub(super) fn is_polar(claimed: &Expr, asked: &Utterance) -> Option<Expr> {
 
 /// Refuses points without rows for a surface that has a net of them.
 pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnostic> {
-    let flat = |item: &Expr| matches!(&item.kind, Kind::Tuple(items) if !items.is_empty());
+    let flat = |item: &Expr| !matches!(&item.kind, Kind::List(_) | Kind::Chain(..) | Kind::Apply(..));
     match (drafts.first(), items) {
         (Some(draft), [a, b, c, d]) if draft.builtin.name == "patch" && items.iter().all(flat) => {
             let rows = |one: [&Expr; 2], other: [&Expr; 2]| {

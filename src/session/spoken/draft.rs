@@ -6,7 +6,7 @@ use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
 use crate::judge::written::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
-use crate::language::lexicon::phrases::Label;
+use crate::language::lexicon::phrases::{self, Label};
 use crate::language::lexicon::roles;
 
 /// A call whose arguments are being gathered.
@@ -108,6 +108,14 @@ impl Draft {
         ];
         if self.builtin.name == "subdivide_polygon" && FOUR_POINT.iter().any(|own| phrase.contains(own)) {
             self.named.push(("scheme", Expr { span: self.phrase, ..Expr::name("four_point") }));
+            return;
+        }
+        // the regression line, die Ausgleichsgerade
+        let degree = self.builtin.parameters.iter().find(|own| matches!(own.name, "n" | "degree"));
+        if let (Some(degree), "least_squares", Some(n)) =
+            (degree, self.builtin.name, phrases::degree_within(phrase))
+        {
+            self.named.push((degree.name, Expr { span: self.phrase, ..Expr::int(n) }));
             return;
         }
         // The acceleration is the second derivative.

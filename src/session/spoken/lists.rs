@@ -218,6 +218,19 @@ pub(super) fn pairs(text: &str) -> Vec<(usize, usize)> {
         let digits = text.strip_prefix('-').unwrap_or(text);
         !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'/'))
     };
+    // 0->1, 1->2
+    let mapped =
+        |part: &str| part.split_once("->").is_some_and(|(x, y)| number(x.trim()) && number(y.trim()));
+    if text.contains("->") && text.split(',').count() > 1 && text.split(',').all(mapped) {
+        let ends = text.match_indices(',').map(|(at, _)| at).chain([text.len()]);
+        return ends
+            .scan(0, |start, end| {
+                let place = (*start, end);
+                *start = end + 1;
+                Some(place)
+            })
+            .collect();
+    }
     let pair = |word: &str| word.split_once(',').is_some_and(|(x, y)| number(x) && number(y));
     let words: Vec<&str> = text.split_whitespace().collect();
     if words.len() < 2 || !words.iter().all(|word| pair(word)) {

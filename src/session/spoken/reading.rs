@@ -75,6 +75,17 @@ impl Reader<'_> {
         if !pairs.is_empty() {
             let read = |(start, end): (usize, usize)| {
                 let place = Span::new(span.start + start, span.start + end);
+                if let Some((x, y)) = self.file.slice(place).split_once("->") {
+                    let ends = [
+                        Span::new(place.start, place.start + x.len()),
+                        Span::new(place.end - y.len(), place.end),
+                    ];
+                    let read = |part: Span| {
+                        guarded(&session.limits, || read_in(&session.env, self.file, Some(part)))
+                            .map_err(|problem| self.fail(problem))
+                    };
+                    return Ok(Expr::new(Kind::Tuple(vec![read(ends[0])?, read(ends[1])?]), place));
+                }
                 let read = guarded(&session.limits, || items_in(&session.env, self.file, place));
                 read.map(|items| Expr::new(Kind::Tuple(items), place)).map_err(|problem| self.fail(problem))
             };

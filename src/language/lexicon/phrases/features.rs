@@ -6,90 +6,24 @@ use super::Phrase::{self, Function};
 
 /// Phrases, written as those of the table.
 pub(super) const FEATURES: &[(Phrase, &str)] = &[
-    (
-        Function("critical_points"),
-        "critical point~ | critical parameter~ | stationary point~ | extrema | extremum | local extrema | extreme point~ | \
-         turning point~ | x extrema | y extrema | extremstelle~ | extrempunkt~ | kritische~ punkt~ | lokale~ extrema | \
-         point critique | points critiques | point stationnaire | points stationnaires | extremums | puntos críticos | \
-         punto crítico | extremos | punti critici | punto critico | estremi | 极值点 | 临界点 | 驻点",
-    ),
-    (
-        Function("mean_value"),
-        "mean value | average value | mean value of | average of | mean of | moyenne de | promedio de | mittelwert von | mittelwert | durchschnittswert | valeur moyenne | valor medio | valor promedio | \
-         valore medio | 平均值",
-    ),
-    (
-        Function("sign_changes"),
-        "sign change~ | change~ of sign | number of sign changes | vorzeichenwechsel | anzahl der vorzeichenwechsel | \
-         changement~ de signe | nombre de changements de signe | cambio~ de signo | número de cambios de signo | \
-         cambi di segno | 变号次数 | 符号变化次数",
-    ),
-    (
-        Function("smoothing_spline"),
-        "smoothing spline~ | natural smoothing spline~ | glättungsspline~ | glättender spline | spline de lissage | \
-         spline suavizante | spline di lisciamento | 平滑样条",
-    ),
-    (
-        Function("quasi_interpolant"),
-        "quasi interpolant~ | quasiinterpolant~ | quasi interpolante | cuasi interpolante | cuasiinterpolante | 拟插值",
-    ),
-    (
-        Function("offset"),
-        "offset curve~ | parallelkurve~ | courbe parallèle | courbe offset | curva paralela | curva parallela | 等距曲线",
-    ),
-    (
-        Function("vertex_tangents"),
-        "vertex tangent~ | tangenten am vertex | tangentes au sommet | tangentes en el vértice | 顶点切向量",
-    ),
-    (
-        Function("tetrahedral_value"),
-        "tetrahedral value~ | wert über dem tetraeder | valeur sur le tétraèdre | valor sobre el tetraedro | 四面体上的值",
-    ),
-    (Function("cross_ratio"), "cross ratio | doppelverhältnis | birapport | razón doble | birapporto | 交比"),
-    (
-        Function("bounding_box"),
-        "bounding box~ | axis aligned bounding box~ | begrenzungsrechteck | umgebende~ rechteck | boîte englobante | \
-         caja envolvente | caja contenedora | riquadro di delimitazione | 包围盒",
-    ),
+    (Function("critical_points"), "kritische~ punkt~ | lokale~ extrema"),
+    (Function("sign_changes"), "change~ of sign | changement~ de signe | cambio~ de signo"),
+    (Function("bounding_box"), "umgebende~ rechteck"),
     (
         Function("tangent_line"),
-        "tangent line~ | tangent line to | tangent to | equation of tangent | equation of tangent to | \
-         equation of tangent line | equation of tangent line to | tangent equation | tangente | tangente an | tangente à | \
-         tangentengleichung | gleichung der tangente | gleichung der tangente an | équation de la tangente | \
-         équation de la tangente à | droite tangente | recta tangente | recta tangente a | ecuación de la tangente | \
-         ecuación de la recta tangente | ecuación de la recta tangente a | retta tangente | equazione della tangente | 切线方程",
+        "equation of tangent line to | gleichung der tangente an | équation de la tangente à | recta tangente a | ecuación de la recta tangente | ecuación de la recta tangente a",
     ),
     (
         Function("slope"),
-        "slope~ | slope of tangent | slope of tangent line | slope of tangent to | steigung~ | steigung der tangente | pente | \
-         pente de la tangente | pendiente | pendiente de la tangente | pendiente de la recta tangente | pendenza | 斜率 | \
-         切线斜率 | rate of change",
+        "slope of tangent | slope of tangent line | slope of tangent to | steigung der tangente | pente de la tangente | pendiente de la tangente | pendiente de la recta tangente | 切线斜率 | rate of change",
     ),
-    (
-        Function("from_roots"),
-        "polynomial with roots | polynomial with zeros | monic polynomial with roots | monic polynomial with zeros | \
-         polynomial having roots | polynom mit nullstellen | polynom mit den nullstellen | normiertes polynom mit nullstellen | \
-         polynôme de racines | polynôme ayant pour racines | polynôme avec racines | polinomio con raíces | polinomio de raíces | \
-         polinomio con radici",
-    ),
+    (Function("from_roots"), "normiertes polynom mit nullstellen | polynôme avec racines"),
     (
         Function("conic_centre"),
-        "centre of ellipse | center of ellipse | centre of conic | center of conic | centre of hyperbola | center of hyperbola | \
-         mittelpunkt der ellipse | mittelpunkt des kegelschnitts | centre de la conique | centre de l'ellipse | centro de la elipse | \
-         centro de la cónica",
+        "centre of ellipse | center of ellipse | centre of hyperbola | center of hyperbola | mittelpunkt der ellipse | centre de l'ellipse | centro de la elipse",
     ),
-    (Function("midpoint"), "midpoint | mid point | mittelpunkt | point milieu | punto medio | 中点"),
-    (
-        Function("polygon_length"),
-        "length of control polygon | length of polygon | control polygon length | polygon length | \
-         länge des kontrollpolygons | länge des polygons | longueur du polygone de contrôle | longueur du polygone | \
-         longitud del polígono de control | lunghezza del poligono di controllo | 控制多边形的长度",
-    ),
-    (
-        Function("multiplicity"),
-        "multiplicity of knot | knot multiplicity | knot multiplicity of | vielfachheit des knotens | multiplicité du nœud | \
-         multiplicidad del nudo | molteplicità del nodo",
-    ),
+    (Function("midpoint"), "mid point | mittelpunkt"),
+    (Function("multiplicity"), "knot multiplicity of"),
     (Phrase::Label(Multiplicity), "molteplicità"),
     (
         Function("derivative"),
@@ -118,7 +52,6 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
          in potenzen von | comme polynôme | comme polynôme en | en puissances de | como polinomio | como polinomio en | en potencias de | \
          come polinomio | come polinomio in | in potenze di",
     ),
-    (Function("roots"), "zero"),
     (
         Phrase::Where,
         "at which t | at what t | at which parameter | at what parameter | at which parameter value | at which parameters | \
@@ -131,7 +64,6 @@ pub(super) const FEATURES: &[(Phrase, &str)] = &[
     ),
     (
         Function("patch"),
-        "tensor product bezier | tensor product bézier | bilinear surface | biquadratic surface | bicubic surface | \
-         tensor patch | bilineare fläche | surface bilinéaire | superficie bilineal | superficie bilineare | 双线性曲面",
+        "tensor product bezier | tensor product bézier | biquadratic surface | bicubic surface | tensor patch",
     ),
 ];

@@ -10,31 +10,12 @@ use crate::formula::BigOp;
 
 /// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank, `~` for any of the endings.
 pub(super) const PHRASES: &[(Phrase, &str)] = &[
-    (
-        Function("polar"),
-        "polar form~ | polarform~ | blossom~ | polar value~ | forme~ polaire~ | blüte | 极形式 | 开花 | \
-         polarization | forma~ polar~",
-    ),
+    (Function("polar"), "forme~ polaire~ | forma~ polar~"),
     (Command("polar"), "polarize | polarise | polarisiere~ | polariser | polarizar"),
-    (Function("diagonal"), "diagonal | diagonale | diagonal value"),
-    (
-        Function("derivative"),
-        "derivative~ | first derivative | ableitung~ | erste~ ableitung | dérivée~ | derivee | 导数 | \
-         derivada~ | derivata | tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity | \
-         velocity vector | tangent direction | direction of tangent | tangentenrichtung | direction tangente",
-    ),
+    (Function("derivative"), "erste~ ableitung | tangent"),
     (
         Command("derivative"),
         "differentiate | derive | dérive | dériver | differenziere~ | 求导 | derivar | deriva",
-    ),
-    (
-        Function("integrate"),
-        "integral~ | antiderivada | antiderivative | indefinite integral | definite integral | stammfunktion | \
-         intégrale | primitive | 积分 | 不定积分 | 定积分",
-    ),
-    (
-        Function("integrate"),
-        "area under | area below | fläche unter | flächeninhalt unter | aire sous | área bajo | area sotto",
     ),
     (Command("integrate"), "integrate | integriere~ | intègre | intégrer | 求积分 | integrar | integra"),
     (
@@ -47,7 +28,6 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "factor | factorise | factorize | faktorisiere~ | factoriser | 因式分解 | factoriza | \
          factorizar | fattorizza",
     ),
-    (Function("factor"), "factorization | factorisation | prime factorization | faktorisierung"),
     (
         Command("simplify"),
         "simplify | vereinfache~ | simplifie~ | simplifier | 化简 | simplifica~ | simplificar",
@@ -58,81 +38,29 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("roots"),
-        "root~ | a zero | have zero | touch zero | touches zero | cross zero | crosses zero | cross the axis | touch the axis | have zeros | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
-         radici | ceros",
+        "have zero | touch zero | touches zero | cross zero | crosses zero | cross the axis | touch the axis | have zeros",
     ),
     (
         Function("count_roots"),
-        "how many roots has | how many real roots has | how many solutions has | how many real solutions has | \
-         how many real zeros has | how many solutions does | how many real solutions does | how many zeros does | how many real zeros does | how many zeros has | how many real roots does | how many roots does | \
-         number of roots | number of real roots | number of solutions | number of real solutions | \
-         number of real zeros | wie viele nullstellen hat | wie viele lösungen hat | anzahl der nullstellen | \
-         combien de racines a | nombre de racines | nombre de racines réelles",
+        "how many roots has | how many real roots has | how many solutions has | how many real solutions has | how many real zeros has | how many solutions does | how many real solutions does | how many zeros does | how many real zeros does | how many zeros has | how many real roots does | how many roots does | wie viele nullstellen hat | wie viele lösungen hat | combien de racines a",
     ),
-    (
-        Function("least_squares"),
-        "least squares | least squares fit | least squares approximation | least squares polynomial | regression | \
-         kleinste quadrate | moindres carrés | best fit",
-    ),
-    (Degree(1), "line | gerade | droite"),
-    (
-        Function("taylor"),
-        "taylor polynomial~ | taylor expansion | taylor series | taylorpolynom~ | polynôme~ de taylor | \
-         polinomio de taylor | 泰勒多项式",
-    ),
-    (Function("discriminant"), "diskriminante | 判别式"),
-    (Function("degree"), "polynomial degree"),
+    (Degree(1), "line | gerade | droite | recta | retta | 直线"),
+    (Function("taylor"), "polynôme~ de taylor"),
     (
         Phrase::TrueDegree,
         "true degree | actual degree | exact degree | real degree | genuine degree | tatsächlicher grad | \
          tatsächlichen grad | wahrer grad | wahren grad | echter grad | exakter grad | degré réel | degré effectif | \
          degré exact | grado real | grado verdadero | grado effettivo | 真正的次数 | 实际次数",
     ),
-    (Function("coefficients"), "power coefficients | koeffizienten der potenzbasis"),
-    (Function("coefficient"), "coefficient | koeffizient | coeff | 系数"),
-    (
-        Function("in_bernstein"),
-        "bernstein form~ | bernstein 系数 | bernstein基 | bernstein 基 | 伯恩斯坦系数 | bernstein | bernstein basis | bernstein coefficients | bernstein coeffs | \
-         coeficientes de bernstein | coefficienti di bernstein | \
-         b form | bézier form | bezier form | bernsteinbasis | bernsteinform | \
-         bernstein darstellung | bernstein koeffizienten | bernsteinkoeffizienten | \
-         base de bernstein | forme de bernstein | coefficients de bernstein | 伯恩斯坦基 | 伯恩斯坦形式 | \
-         bernstein representation | bernstein bézier form | bernstein bezier form",
-    ),
-    (
-        Function("expand"),
-        "monomial~ | monomial form | monomial basis | power form | power basis | \
-         powers | standard form | monombasis | potenzbasis | potenzform | base canonique | \
-         base monomiale | 幂基 | 幂形式 | polynomial form | normal form",
-    ),
-    (
-        Function("bernstein"),
-        "bernstein polynomial~ | bernsteinpolynom~ | bernstein polynom~ | polinomio~ de bernstein | \
-         polinomio~ di bernstein | bernstein basis polynomials | bernstein basis functions | \
-         polynômes de bernstein | polynôme de bernstein | 伯恩斯坦多项式",
-    ),
-    (
-        Function("bezier_points"),
-        "bézier point~ | bezier point~ | bézierpunkt~ | bezierpunkt~ | point~ de bézier | puntos de bézier | \
-         puntos de bezier | punti di bézier | points de bezier | bezier ordinates | bézierordinaten | \
-         bezierordinaten | bézier koeffizient~ | \
-         bézier control points | bezier control points | 贝塞尔控制点 | bézier控制点 | bezier控制点 | bézier coefficients | \
-         bezier coefficients | bézier ordinates | 贝塞尔点",
-    ),
-    (
-        Function("control_points"),
-        "control point~ | control polygon~ | kontrollpunkt~ | kontrollpolygon~ | polygone de contrôle | polígono de control | point~ de contrôle | 控制点 | steuerpunkt~ | \
-         puntos de control | punti di controllo",
-    ),
+    (Function("in_bernstein"), "bernstein 系数 | bernstein 基"),
+    (Function("expand"), "powers | standard form | polynomial form | normal form"),
+    (Function("bernstein"), "polinomio~ de bernstein | polinomio~ di bernstein | bernstein basis functions"),
+    (Function("bezier_points"), "point~ de bézier | bézier控制点 | bezier控制点"),
+    (Function("control_points"), "point~ de contrôle"),
     (
         Function("bezier"),
-        "conic | conic section | kegelschnitt | conique | cónica | 二次曲线 | bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
-         curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
-         bezier function~ | bézier function~ | bézierfunktion~ | bezierfunktion~ | fonction de bézier | función de bézier | \
-         bézierpolynom~ | bezierpolynom~ | bernsteinpolynom mit koeffizienten | courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
-         bezier polynomial | bézier polynomial | bezier polygon | bezier segment | bézier segment",
+        "curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | bernsteinpolynom mit koeffizienten",
     ),
-    (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
     (
         Command("elevate"),
         "elevate | raise degree | \
@@ -140,23 +68,30 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          degree raise | erhöhe den grad | elevar el grado | 升阶",
     ),
     (
-        Function("elevate"),
-        "degree elevation | graderhöhung | élévation du degré | élévation de degré | \
-         elevación de grado | elevación del grado",
-    ),
-    (
         Command("reduce"),
         "degree reduce | reduce degree | \
          degree lower | reduziere den grad | senke den grad | grad reduzieren | réduire le degré | reduce el grado | written with lower degree | reduce the degree | lower degree | lower the degree | 降阶",
     ),
-    (Function("reduce"), "degree reduction | gradreduktion | réduction du degré | reducción de grado"),
     (
         Command("subdivide"),
         "split | subdivide | \
          cut | chop | bisect | halve | divide | zerlege~ | zerteile~ | halbiere~ | coupe | couper | divise | diviser | corta | cortar | dividir | 分成 | 拆分 | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
     ),
-    (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
-    (Function("part"), "restriction | einschränkung | restricción"),
+    (
+        Function("degree"),
+        "what degree has | what degree does | which degree has | which degree does | welchen grad hat | quel degré a | \
+         qué grado tiene | che grado ha",
+    ),
+    (
+        Command("subs"),
+        "plug | plug in | substitute | put in | setze | setze ein | einsetzen | substituer | substitue | remplace | remplacer | \
+         sustituye | sustituir | sustituyendo | sostituisci | sostituire | 代入",
+    ),
+    (
+        Command("figure_bezier"),
+        "draw | sketch | zeichne~ | skizziere | plotte | tracer | dessine | dessiner | dibuja | dibujar | grafica | graficar | \
+         disegna | disegnare | 画 | 绘制 | 画出",
+    ),
     (Command("reverse"), "reverse"),
     (
         Command("part"),
@@ -181,117 +116,28 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "which is bigger | which is larger | which is greater | was ist größer | lequel est plus grand | \
          larger | bigger | greater",
     ),
-    (
-        Function("maximum"),
-        "maximal | maximale~ | am größten | largest | greatest | largest value | maximum value | maximal value | max value | größter wert | maximalwert | \
-         plus grande valeur | valeur maximale | 最大值",
-    ),
-    (
-        Function("minimum"),
-        "minimal | minimale~ | am kleinsten | smallest | least | smallest value | least value | minimum value | minimal value | min value | kleinster wert | \
-         minimalwert | plus petite valeur | valeur minimale | 最小值",
-    ),
+    (Function("maximum"), "am größten | largest | greatest"),
+    (Function("minimum"), "am kleinsten | smallest | least"),
     (Command("min"), "which is smaller | which is less | was ist kleiner | smaller"),
-    (
-        Function("raising"),
-        "matrix of degree elevation | degree elevation matrix | elevation matrix | degree raising matrix | \
-         matrix for degree elevation | graderhöhungsmatrix | matrix der graderhöhung | matrice d'élévation",
-    ),
-    (
-        Function("change_of_basis"),
-        "conversion matrix | basis conversion matrix | change of basis matrix | matrix of change of basis | \
-         basis change | basis change matrix | transformation matrix | matrix for conversion | basiswechsel | \
-         basiswechselmatrix | transformationsmatrix | matrice de passage",
-    ),
-    (
-        Function("polar_tensor"),
-        "tensor polar form~ | tensor product polar form~ | tensor product blossom | tensor blossom | \
-         tensorprodukt polarform",
-    ),
     (
         Command("implicit"),
         "eliminate t | eliminate the parameter | eliminate the parameter t | implicitize | implicitise | eliminiere t",
     ),
-    (Function("hodograph"), "hodograph | hodographe"),
-    (Function("curvature"), "krümmung | courbure | 曲率"),
-    (
-        Function("bspline_basis"),
-        "cox de boor | b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
-         basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条 | b样条基函数 | b样条函数",
-    ),
-    (
-        Function("bspline"),
-        "nurbs | nurbs curve~ | rational b spline | spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
-         b样条曲线 | 样条 | 样条曲线",
-    ),
-    (
-        Function("patch"),
-        "tensor product patch | tensor product surface | tensor product bézier patch | bézier patch | \
-         bezier patch | bézier surface | bezier surface | bézierfläche | bezierfläche | surface de bézier | \
-         tensorproduktfläche | tensor product bezier patch | tensor product bezier surface | bilinear patch",
-    ),
-    (
-        Function("triangle_patch"),
-        "triangle patch | triangle bezier patch | dreieckspatch | triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
-         triangular patch | bézierdreieck | bezierdreieck | triangle de bézier",
-    ),
+    (Function("bspline_basis"), "bspline~"),
     (
         Function("esym"),
-        "elementary symmetric polynomial~ | elementary symmetric function~ | elementarsymmetrisch~ funktion~ | \
-         elementarsymmetrisch~ polynom~ | polynôme~ symétrique~ élémentaire~ | \
-         fonction~ symétrique~ élémentaire~",
+        "elementarsymmetrisch~ funktion~ | elementarsymmetrisch~ polynom~ | polynôme~ symétrique~ élémentaire~ | fonction~ symétrique~ élémentaire~",
     ),
-    (Function("deboor"), "de boor | deboor | de boor's algorithm | de boor scheme"),
-    (
-        Function("pieces"),
-        "bézier segments | bezier segments | bézier pieces | bezier pieces | bézier extraction | bezier extraction | \
-         bézierstücke | bezierstücke | bézier segmente | bezier segmente | segments de bézier | segments de bezier | \
-         segmentos de bézier | tramos de bézier",
-    ),
-    (
-        Function("gram"),
-        "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
-    ),
-    (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
-    (
-        Function("subdivide_polygon"),
-        "four point subdivision | four point scheme | 4 point scheme | four point | vierpunktschema | vier punkt schema | schéma à quatre points | \
-         esquema de cuatro puntos | schema a quattro punti | 四点格式 | 四点法 | 四点细分",
-    ),
-    (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
-    (
-        Function("barycentric"),
-        "barycentric coordinates | baryzentrische koordinaten | baryzentrischen koordinaten | \
-         coordonnées barycentriques | coordenadas baricéntricas | 重心坐标",
-    ),
-    (
-        Function("inflections"),
-        "inflection point~ | point of inflection | points of inflection | wendepunkt~ | point~ d'inflexion | \
-         puntos de inflexión | 拐点",
-    ),
-    (
-        Function("intersections"),
-        "intersection | intersections | intersection point~ | schnittpunkt~ | points d'intersection | \
-         puntos de intersección | punti di intersezione | 交点",
-    ),
-    (
-        Function("double_points"),
-        "loop~ | self intersection~ | selbstüberschneidung~ | point~ double | punto doble | puntos dobles | cusp~ | spitze~",
-    ),
+    (Function("pieces"), "bézier segments | bezier segments | bézier segmente | bezier segmente"),
+    (Function("inflections"), "point~ d'inflexion"),
+    (Function("intersections"), "intersections"),
+    (Function("double_points"), "point~ double"),
     (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
     (
         Function("continuity"),
-        "join | joins | joint | meet smoothly | continuous | stetig | glatt | übergang | smooth join | smooth | smoothly | join smoothly | \
-         raccord | raccordement | continues | continuité | continuidad | continuas | 连续 | 拼接",
+        "join | joins | joint | meet smoothly | continuous | stetig | glatt | übergang | smooth | smoothly | join smoothly | continues | continuas",
     ),
-    (
-        Function("differences"),
-        "forward differences | vorwärtsdifferenzen | différences progressives | diferencias progresivas",
-    ),
-    (
-        Function("arc_length"),
-        "length | arc length | länge | bogenlänge | longueur | longueur d'arc | longitud | longitud de arco | lunghezza | 弧长",
-    ),
+    (Function("differences"), "vorwärtsdifferenzen"),
     (
         Function("length"),
         "number of | anzahl der | anzahl | nombre de | número de | numero di | how many | wie viele | combien de | cuántos | cuántas",
@@ -333,29 +179,13 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          symétrique | multi affine symétrique | simétric~ | 对称",
     ),
     (
-        Function("greville"),
-        "greville abscissae | greville points | greville | greville abszissen | \
-         abscisses de greville | abscisas de greville",
-    ),
-    (
         Command("insert_knots"),
         "insert knot | insert knots | knot insertion | \
          insert | add knot | füge den knoten | füge knoten | knoten einfügen | insère le nœud | insérer le nœud | insérer | inserta el nudo | inserta | inserisci | boehm | boehm's algorithm | 插入节点",
     ),
     (
         Function("lagrange"),
-        "interpolation polynomial | interpolating polynomial | lagrange polynomial~ | interpolant~ | \
-         polinomio interpolador | polinomio de lagrange | polinomio interpolante | \
-         polinomio di lagrange | polynôme de lagrange | lagrange polynom~ | lagrangepolynom~ | \
-         polinomio de interpolación | lagrange | \
-         interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
-         polynomial through | polynom durch | polynôme passant par | polinomio por | \
-         polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
-    ),
-    (
-        Function("cubic_spline"),
-        "natural cubic spline | natural spline | natürlicher kubischer spline | natürlicher spline | spline cubique naturelle | \
-         spline cúbico natural",
+        "polynomial through | polynom durch | polynôme passant par | polinomio por | polinomio que pasa por",
     ),
     (
         Command("over"),
@@ -367,44 +197,18 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          fortsetzen | nächstes segment | prolonge par | continúa | siguiente segmento | 延拓",
     ),
     (
-        Function("continuation"),
-        "continuation | smooth continuation | fortsetzung | prolongement | continuación | continuazione",
-    ),
-    (
         Command("standard_form"),
         "normalise | normalize | normalised | normalized | normiere | normalisiere | normaliser | normaliza | \
          normalizza",
     ),
-    (
-        Function("hermite"),
-        "hermite interpolation | hermite interpolant | hermite polynomial | hermite interpolationspolynom | \
-         interpolation d'hermite | polynôme d'hermite | interpolación de hermite",
-    ),
     (Command("lagrange"), "interpolate | interpoliere~ | interpole~ | interpoler | interpolar | 插值"),
     (
-        Function("newton"),
-        "newton polynomial~ | newton form | newton interpolation | newton interpolation polynomial | \
-         newton interpolation form | newtonform | polynôme de newton | polinomio de newton | 牛顿插值",
-    ),
-    (
         Function("divided_differences"),
-        "divided differences | newton divided differences | divided difference table | newton divided difference table | \
-         newton divided difference | \
-         dividierte~ differenz~ | différence~ divisée~ | 差商 | \
-         divided difference | diferencia~ dividida~ | differenze divise",
+        "dividierte~ differenz~ | différence~ divisée~ | diferencia~ dividida~",
     ),
-    (Function("lagrange_basis"), "lagrange basis | lagrange basis polynomial~ | lagrangebasis"),
-    (Function("det"), "determinant~ | déterminant | 行列式"),
-    (Function("inverse"), "inverse matrix | inverse of matrix | inverse"),
     (Command("inverse"), "invert | invertiere | inverser"),
-    (Function("gcd"), "greatest common divisor | ggt | pgcd | 最大公约数 | 最大公因式"),
-    (Function("lcm"), "least common multiple | kgv | ppcm | 最小公倍数"),
-    (Function("binomial"), "binomial coefficient | binomialkoeffizient"),
     (Between("binomial"), "choose | parmi"),
-    (Function("factorial"), "fakultät | factorielle | 阶乘"),
-    (Function("sqrt"), "square root | wurzel | quadratwurzel | racine carrée"),
-    (Function("resultant"), "resultante"),
-    (Function("symmetrize"), "symmetrization"),
+    (Function("sqrt"), "wurzel"),
     (Command("symmetrize"), "symmetrise | symmetrize | symmetrisiere | symétriser | 对称化"),
     (Degree(1), "linear~ | linéaire~ | 线性"),
     (
@@ -418,11 +222,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
-        "second~ | zweite~ | deuxième~ | segund~ | twice | two times | zweimal | deux fois | dos veces | due volte | 二阶",
+        "second order | zweiter ordnung | deuxième ordre | segundo orden | secondo ordine | second~ | zweite~ | deuxième~ | segund~ | twice | two times | zweimal | deux fois | dos veces | due volte | 二阶",
     ),
     (
         Ordinal(3),
-        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
+        "third order | dritter ordnung | troisième ordre | tercer orden | terzo ordine | third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
     (
         Ordinal(1),
@@ -471,29 +275,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "applied to | angewandt auf | angewendet auf | appliqué à | appliqué sur | aplicado a | applicato a | 作用于",
     ),
     (
-        Function("support"),
-        "nonzero | non zero | not zero | ungleich null | träger | soporte | supporto | 支集 | 支撑 | support interval | trägerintervall",
-    ),
-    (
-        Function("bernstein_approximation"),
-        "bernstein operator | bernsteinoperator | bernstein approximant | bernsteinapproximation | opérateur de bernstein | \
-         operador de bernstein | operatore di bernstein | 伯恩斯坦算子",
-    ),
-    (
-        Function("smoothness"),
-        "how smooth | glattheit | wie glatt | régularité | suavidad | differentiability | differenzierbarkeit | 光滑性",
-    ),
-    (
         Function("diagonal"),
         "polynomial whose | polynom dessen | polynôme dont la | polynôme dont | \
          polinomio cuya | polinomio la cui",
     ),
-    (
-        Function("conic_kind"),
-        "type of conic | kind of conic | conic type | type of the conic | art des kegelschnitts | kegelschnittart | \
-         type de conique | tipo de cónica | what conic | which conic | what kind of conic | what type of conic | welcher kegelschnitt | \
-         quelle conique | qué cónica",
-    ),
+    (Function("conic_kind"), "type of the conic"),
     (
         Phrase::Is,
         "est elle | est il | is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt",
@@ -516,13 +302,13 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "around | about | autour de | alrededor de | intorno a | at | in the point | parameter | parameter value | parameterwert | paramètre | parámetro | parametro | at the parameter value | at parameter value | 参数 | 参数值 | 在参数 | at barycentric | new knot | new knots | neuer knoten | neuen knoten | nouveau nœud | nuevo nudo | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
     (
         Phrase::Label(Over),
-        "over | on | on the interval | \
+        "over | on | su | sull'intervallo | on the interval | \
          on interval | within | auf dem intervall | parameter interval | parameter range | subinterval | teilintervall | sous intervalle | subintervalo | dans l'intervalle | over the interval | über | auf | im intervall | sur | \
          sur l'intervalle | in the interval | interval | intervall | \
          intervalle | 区间 | sobre | en el intervalo | intervalo | nell'intervallo | intervallo",
@@ -530,7 +316,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(From), "from | desde | 从 | between | zwischen | entre"),
     (
         Phrase::Label(To),
-        "to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
+        "in terms of | in form of | in the form of | to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
          as | as a | regarded as | regarded as a | seen as | seen as a | considered as a | als | comme | \
          写成 | 表示为",
     ),
@@ -541,7 +327,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(With),
-        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
+        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | under | unter | sous | bajo | sotto | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
     ),
     (
         Phrase::Label(Through),
@@ -549,7 +335,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(OfDegree),
-        "degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
+        "order | of order | to order | up to order | ordnung | der ordnung | ordre | d'ordre | orden | de orden | ordine | di ordine | degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
          du degré | 次数",
     ),
     (
@@ -557,7 +343,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "uniform knots | knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
          vecteur nodal | 节点",
     ),
-    (Phrase::Label(Nodes), "nodes | node | stützstellen | abscissae | abscissas | abscisses"),
+    (
+        Phrase::Label(Nodes),
+        "nodes | node | aux nœuds | aux noeuds | at the nodes | at nodes | an den knoten | en los nodos | nei nodi | stützstelle~ | den stellen | an den stellen | den stützstellen | abscissae | abscissas | abscisses",
+    ),
     (Phrase::Label(Values), "values | ordinates | werte | werten | valeurs | valores | valori"),
     (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),
     (
@@ -568,7 +357,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Times),
-        "times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
+        "rounds | round | passes | pass | levels | runde~ | tours | rondas | passaggi | times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
     ),
     (Phrase::Label(Number), "index"),
     (

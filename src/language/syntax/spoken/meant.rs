@@ -1,14 +1,51 @@
 //! What phrases mean beside each other, before the request is read: Bernstein coefficients that are given are points, a cubic
 //! spline with control points is a B-spline.
 
-use super::moved::{between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves};
+use super::asks;
+use super::moved::{
+    between, crossings, degrees_before, in_letters, names_of_objects, points_on_curves, vanishing,
+};
 use super::pairs::is_order;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
+/// The parts of a request that say something, as they are meant; `None` if a place is asked for that nothing tells.
+pub(super) fn told(text: &str, parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Option<Vec<Part>> {
+    // A note tells where a largest value is taken; of other functions it is not known.
+    let extreme = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Function(
+                    "maximum"
+                        | "minimum"
+                        | "max"
+                        | "min"
+                        | "support"
+                        | "roots"
+                        | "critical_points"
+                        | "inflections"
+                        | "intersections"
+                        | "double_points"
+                        | "cross"
+                ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
+                    | Phrase::Vanishes,
+                _
+            )
+        )
+    };
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _))) && !parts.iter().any(extreme) {
+        return None;
+    }
+    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
+    let parts = vanishing(parts);
+    let parts: Vec<Part> = parts.into_iter().filter(says).collect();
+    Some(settled(text, asks::from_one_to_another(parts), known))
+}
+
 /// The parts of a request with the phrases in place of which others are meant.
-pub(super) fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
+fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -> Vec<Part> {
     names_of_objects(text, &mut parts, known);
     points_on_curves(text, &mut parts);
     degrees_before(text, &mut parts);
@@ -32,7 +69,22 @@ pub(super) fn settled(text: &str, mut parts: Vec<Part>, known: &dyn Fn(&str) -> 
     splines(&mut parts);
     formulas_in_bernstein(text, &mut parts);
     applied(&mut parts);
+    within(text, &mut parts);
     parts
+}
+
+/// A curve is reparametrized to a subinterval of its own by taking that part of it.
+fn within(text: &str, parts: &mut [Part]) {
+    let sub = |part: &Part| {
+        matches!(part, Part::Phrase(Phrase::Label(Label::Over), span)
+            if ["sub", "teil", "sous", "子"].iter().any(|start| text.piece(span.range()).to_lowercase().starts_with(start)))
+    };
+    let Some(_) = parts.iter().find(|part| sub(part)) else { return };
+    for part in parts.iter_mut() {
+        if let Part::Phrase(phrase @ Phrase::Command("over"), _) = part {
+            *phrase = Phrase::Command("part");
+        }
+    }
 }
 
 /// One pair or triple of formulas with a letter: (t, t^2).
