@@ -73,6 +73,17 @@ impl Answer {
 
 /// Names and limits of a sequence of statements.
 ///
+/// What is said of a request and found no place in it.
+const NO_PLACE: &str = "nothing here takes this";
+
+/// The same of a degree.
+const NO_DEGREE: &str = "this degree does not fit";
+
+/// Whether something said found no place; any other refusal of a request is meant.
+fn is_left_over(problem: &Diagnostic) -> bool {
+    problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
+}
+
 /// ```
 /// use polarform::session::Session;
 /// let mut session = Session::default();
@@ -147,7 +158,7 @@ impl Session {
                 | Code::Type
                 | Code::Arity
                 | Code::AmbiguousVariable
-        ) || spoken::is_left_over(&failure.problem);
+        ) || is_left_over(&failure.problem);
         match of_words.then(|| self.run_loosely(file, whole)).flatten() {
             Some(answer) => Ok(vec![answer]),
             None => Err(self.advised(file, whole, failure)),

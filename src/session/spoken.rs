@@ -24,7 +24,7 @@ use self::utterance::Utterance;
 use self::values::{Nature, Values, has_values, is_in_t, value_of};
 use std::cell::Cell;
 
-use super::{Failure, Session, defines};
+use super::{Failure, NO_DEGREE, NO_PLACE, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -90,15 +90,6 @@ impl Session {
         Ok(formula.map(|formula| (formula, reader.used_topic.get())))
     }
 }
-
-/// Whether something said found no place; any other refusal of a request is meant.
-pub(super) fn is_left_over(problem: &Diagnostic) -> bool {
-    problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
-}
-
-const NO_PLACE: &str = "nothing here takes this";
-
-const NO_DEGREE: &str = "this degree does not fit";
 
 /// A formula with a list for its notations, such as knots for N_{i,n}; `None` if it has none of them.
 pub(super) fn with_list(formula: &Expr, label: Label, items: &[Expr]) -> Option<Expr> {

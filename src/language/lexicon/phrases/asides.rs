@@ -47,3 +47,17 @@ pub(super) const ASIDES: &[(Phrase, &str)] = &[
          表达式 | 对应的 | 对应 | 相应的 | 相应 | 并 | 有 | 它 | 其 | 方法 | 利用 | 使用 | 那么 | 时 | 具体 | 分别",
     ),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::ASIDES;
+    use crate::language::lexicon::asking::denies;
+
+    #[test]
+    fn no_word_that_denies_is_left_aside() {
+        for phrase in ASIDES.iter().flat_map(|(_, phrases)| phrases.split('|')) {
+            let denied = phrase.split_whitespace().find(|word| denies(word.trim_end_matches('~')));
+            assert_eq!(denied, None, "{phrase}");
+        }
+    }
+}

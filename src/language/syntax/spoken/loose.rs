@@ -86,6 +86,15 @@ fn gathered(text: &str, parts: &[Part]) -> Option<Request> {
                     _ => return None,
                 }
             }
+            // "The minimum and the maximum" are two answers, not one of the other.
+            Part::Phrase(Phrase::And, _)
+                if matches!(
+                    parts.get(at),
+                    Some(Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _))
+                ) =>
+            {
+                return None;
+            }
             Part::Phrase(phrase, span) => at += found.take(text, phrase, span, &parts[at..])?,
         }
     }
