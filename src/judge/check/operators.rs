@@ -8,6 +8,7 @@ use crate::judge::known::checker::Checker;
 use crate::judge::model::applies;
 use crate::judge::page::statement::Chain;
 use crate::judge::written::names::Head;
+use crate::language::lexicon::roles::is_variable;
 
 impl Checker {
     /// The chain with every operator of the page written in one way.
@@ -68,8 +69,10 @@ fn applied(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<(Expr, Expr, Exp
         });
         indexed.is_some()
     };
-    let function = |expr: &Expr| {
-        matches!(&expr.kind, Kind::Name(name) if name.chars().count() == 1).then(|| expr.clone())
+    // B_n(t, x) is the operator at the function t.
+    let function = |expr: &Expr| match &expr.kind {
+        Kind::Name(name) if name.chars().count() == 1 && !is_variable(name) => Some(expr.clone()),
+        _ => None,
     };
     let product = |expr: &Expr| {
         let Kind::Group(inner) = &expr.kind else { return None };
