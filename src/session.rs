@@ -19,7 +19,7 @@ use crate::judge::check::asked;
 use crate::judge::values::evaluator;
 use crate::judge::written::ambiguous;
 use crate::language::derive::shows_negative_value;
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, is_left_over};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
 use crate::language::lexicon::{asking, signs, words};
@@ -73,17 +73,6 @@ impl Answer {
 
 /// Names and limits of a sequence of statements.
 ///
-/// What is said of a request and found no place in it.
-const NO_PLACE: &str = "nothing here takes this";
-
-/// The same of a degree.
-const NO_DEGREE: &str = "this degree does not fit";
-
-/// Whether something said found no place; any other refusal of a request is meant.
-fn is_left_over(problem: &Diagnostic) -> bool {
-    problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
-}
-
 /// ```
 /// use polarform::session::Session;
 /// let mut session = Session::default();

@@ -24,10 +24,10 @@ use self::utterance::Utterance;
 use self::values::{Nature, Values, has_values, is_in_t, value_of};
 use std::cell::Cell;
 
-use super::{Failure, NO_DEGREE, NO_PLACE, Session, defines};
+use super::{Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, applied, call, named};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, NO_DEGREE, NO_PLACE};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Gives, Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::{Label, Place};

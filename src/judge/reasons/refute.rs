@@ -350,7 +350,8 @@ pub fn decide(
         },
         _ => false,
     };
-    if first && itself && tally.determined == 0 && Head::of(left).is_some() {
+    if first && itself && tally.determined == 0 && Head::of(left).is_some_and(|head| head.arguments.is_none())
+    {
         return missing_or_redefinition(head, first, "nothing says what this point is");
     }
     // f(t, t, 0) = t^2 - 4t said what c_0, c_1, c_2 are, and not what c_3 is.

@@ -129,3 +129,14 @@ impl<T, E: Into<Diagnostic>> At<T> for Result<T, E> {
         self.map_err(|error| error.into().at(span))
     }
 }
+
+/// What is said of a request and found no place in it: a value, a word, a list.
+pub(crate) const NO_PLACE: &str = "nothing here takes this";
+
+/// The same of a degree.
+pub(crate) const NO_DEGREE: &str = "this degree does not fit";
+
+/// Whether something said found no place; any other refusal of a request is meant.
+pub(crate) fn is_left_over(problem: &Diagnostic) -> bool {
+    problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
+}
