@@ -526,7 +526,8 @@ fn turns(statements: &[Statement], at: usize) -> bool {
     let case = |gap: &str| {
         let around = speech::Around { left: gap.to_owned(), ..speech::Around::default() };
         let own = matches!(speech::role(&around, false), Some(Role::Case | Role::All));
-        own && speech::joins(gap) && gap.trim_start().starts_with([',', '，', ';'])
+        let words = gap.trim_start_matches(|c: char| !c.is_alphanumeric());
+        own && speech::joins(words) && gap.trim_start().starts_with([',', '，', ';'])
     };
     let next = statements.get(at + 1).is_some_and(|next| {
         matches!(next.said, Said::Chain(_)) && !next.is_case() && !next.gap.chars().any(char::is_alphanumeric)

@@ -245,7 +245,16 @@ impl Suspect<'_> {
                 is_index_letter(name) && !own.contains(name) && !known.contains(name) && !is_degree(name)
             })
         };
-        let name = self.used().find_map(open).filter(|_| self.tally.holds > 0)?;
+        // d_i^* = d_i for i ≤ r - n, d_i^* = d_{i-1} for i > r: which of them holds for an i is open, too.
+        let place = &self.statement.place;
+        let several = |definition: &Definition| {
+            let known = self.checker.context.visible(&definition.head.base, place);
+            let cases = known.filter(|(_, own, near)| {
+                *near && own.head.lower.len() == definition.head.lower.len() && !own.conditions.is_empty()
+            });
+            cases.count() > 1
+        };
+        let name = self.used().find_map(|own| open(own).filter(|_| self.tally.holds > 0 || several(own)))?;
         Some(format!("for which {name} it is said is open"))
     }
 
