@@ -23,11 +23,17 @@ pub(super) fn with_radicals(expr: &Expr) -> Option<Expr> {
             None => expr.for_each_child_mut(&mut put_in),
         }
     }
-    expr.has(&|part| root_arguments(part).is_some()).then(|| {
-        let mut shown = expr.clone();
-        put_in(&mut shown);
-        shown
-    })
+    // A tree may be deeper than the stack.
+    let mut open = vec![expr];
+    while let Some(part) = open.pop() {
+        if root_arguments(part).is_some() {
+            let mut shown = expr.clone();
+            put_in(&mut shown);
+            return Some(shown);
+        }
+        part.for_each_child(&mut |child| open.push(child));
+    }
+    None
 }
 
 /// p, p/q or −p/q as it is written.
