@@ -19,7 +19,7 @@ use crate::judge::check::asked;
 use crate::judge::values::evaluator;
 use crate::judge::written::ambiguous;
 use crate::language::derive::shows_negative_value;
-use crate::language::diagnostic::{Code, Diagnostic, is_left_over};
+use crate::language::diagnostic::{Code, Diagnostic, is_left_over, may_be_of_words};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
 use crate::language::lexicon::{asking, signs, words};
@@ -136,18 +136,8 @@ impl Session {
             Err(failure) => failure,
         };
         // What is wrong with a request that was read stays wrong.
-        let of_words = matches!(
-            failure.problem.code,
-            Code::UnknownName
-                | Code::UnknownFunction
-                | Code::UnexpectedCharacter
-                | Code::UnexpectedToken
-                | Code::UnexpectedEnd
-                | Code::BadNumber
-                | Code::Type
-                | Code::Arity
-                | Code::AmbiguousVariable
-        ) || is_left_over(&failure.problem);
+        let of_arguments = matches!(failure.problem.code, Code::Type | Code::Arity | Code::AmbiguousVariable);
+        let of_words = of_arguments || may_be_of_words(&failure.problem) || is_left_over(&failure.problem);
         match of_words.then(|| self.run_loosely(file, whole)).flatten() {
             Some(answer) => Ok(vec![answer]),
             None => Err(self.advised(file, whole, failure)),

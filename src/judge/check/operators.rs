@@ -7,7 +7,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
 use crate::judge::model::applies;
 use crate::judge::page::statement::Chain;
-use crate::judge::written::names::Head;
+use crate::judge::written::names::{Head, operated};
 use crate::language::lexicon::roles::is_variable;
 
 impl Checker {
@@ -76,9 +76,9 @@ fn applied(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<(Expr, Expr, Exp
     };
     let product = |expr: &Expr| {
         let Kind::Group(inner) = &expr.kind else { return None };
+        let (_, of) = operated(inner).filter(|(head, _)| known(&head.base))?;
         let Kind::Mul(factors) = &inner.kind else { return None };
-        let [first, second] = factors.as_slice() else { return None };
-        Some((first.clone(), function(second)?)).filter(|(first, _)| operator(first))
+        Some((factors[0].clone(), function(of)?))
     };
     let call = |expr: &Expr| {
         let Kind::Apply(callee, groups) = &expr.kind else { return None };

@@ -17,8 +17,17 @@ use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::page::topic::{Topic, Topics};
 use crate::judge::values::evaluator;
 use crate::judge::written::names::{Head, bases};
-use crate::math::number::{Rational, integer, rational};
+use crate::math::curve::{self, BezierCurve, Interval};
+use crate::math::number::{Rational, rational};
+use crate::math::spline::{BSpline, KnotVector};
+use crate::math::subdivision::Scheme;
 use num_traits::{One, Zero};
+
+/// Degrees of uniform splines whose segments are written as Bézier curves, with their words.
+const UNIFORM: [(usize, &str); 2] = [
+    (2, "the Bézier points of a uniform quadratic segment"),
+    (3, "the Bézier points of a uniform cubic segment"),
+];
 
 /// So many rows before a row are looked at.
 const MOST_ROWS: usize = 6;
@@ -280,153 +289,81 @@ impl Row {
     fn made(&self, topics: Topics, numbers: &[Rational], knots: &[Vec<Rational>], count: usize) -> Vec<Made> {
         let points: Vec<Point> = self.items.iter().map(|(point, _)| point.clone()).collect();
         let mut found = Vec::new();
-        let mut add = |points: Vec<Point>, words| found.push(Made { points, words });
-        if self.first != 0 || points.len() < 2 || points.iter().any(|point| point.len() != points[0].len()) {
+        let mut add = |points: &[curve::Point<Rational>], words| {
+            found.push(Made { points: points.iter().map(|point| point.to_vec()).collect(), words });
+        };
+        let Some(bezier) = BezierCurve::new(points.clone(), Interval::unit())
+            .ok()
+            .filter(|_| self.first == 0 && points.len() > 1)
+        else {
             return found;
-        }
-        let bezier = !topics.has(Topic::Rational);
-        if topics.has(Topic::Elevation) && bezier {
-            let mut raised = points.clone();
-            for _ in points.len()..count.max(points.len() + 1).min(points.len() + 3) {
-                raised = elevated(&raised);
+        };
+        if !topics.has(Topic::Rational) {
+            if topics.has(Topic::Elevation) {
+                let by = count.saturating_sub(points.len()).clamp(1, 3);
+                add(bezier.elevate(by).points(), "the control points at a higher degree");
             }
-            add(raised, "the control points at a higher degree");
-        }
-        if bezier
-            && [Topic::Subdivision, Topic::Half, Topic::Casteljau].into_iter().any(|topic| topics.has(topic))
-        {
-            let whole = |t: &Rational| !t.is_zero() && !t.is_one();
+            let part =
+                [Topic::Subdivision, Topic::Half, Topic::Casteljau].into_iter().any(|own| topics.has(own));
             let half = topics.has(Topic::Half).then(|| rational(1, 2));
-            for t in numbers.iter().filter(|t| whole(t)).cloned().chain(half) {
-                let (left, right) = halves(&points, &t);
-                add(left, "the Bézier points of this part of the curve");
-                add(right, "the Bézier points of this part of the curve");
+            for t in numbers.iter().cloned().chain(half).filter(|t| part && !t.is_one()) {
+                let ends = [(Rational::zero(), t.clone()), (t, Rational::one())];
+                for interval in ends.into_iter().filter_map(|(from, to)| Interval::new(from, to).ok()) {
+                    add(bezier.part(interval).points(), "the Bézier points of this part of the curve");
+                }
             }
-        }
-        if topics.has(Topic::Derivative) && bezier && !topics.has(Topic::Spline) {
-            let degree = integer(points.len() as i64 - 1);
-            let legs = points
-                .windows(2)
-                .map(|pair| combined(&[(-degree.clone(), &pair[0]), (degree.clone(), &pair[1])]));
-            add(legs.collect(), "the control points of the derivative");
+            if topics.has(Topic::Derivative) && !topics.has(Topic::Spline) {
+                add(bezier.derivative().points(), "the control points of the derivative");
+            }
         }
         if topics.has(Topic::Spline) && knots.is_empty() {
-            let third =
-                |a: i64, p: &Point, b: i64, q: &Point| combined(&[(rational(a, 3), p), (rational(b, 3), q)]);
-            let half = |p: &Point, q: &Point| combined(&[(rational(1, 2), p), (rational(1, 2), q)]);
-            let degrees: Vec<i64> = topics.degrees().collect();
-            if degrees.contains(&3) && points.len() > 3 {
-                let legs: Vec<[Point; 2]> = points
-                    .windows(2)
-                    .map(|leg| [third(2, &leg[0], 1, &leg[1]), third(1, &leg[0], 2, &leg[1])])
-                    .collect();
-                let mut all = vec![half(&legs[0][1], &legs[1][0])];
-                for pair in legs[1..].windows(2) {
-                    all.extend([pair[0][0].clone(), pair[0][1].clone(), half(&pair[0][1], &pair[1][0])]);
-                }
-                add(all, "the Bézier points of a uniform cubic segment");
-            }
-            if degrees.contains(&2) && points.len() > 2 {
-                let mut all = vec![half(&points[0], &points[1])];
-                for pair in points[1..].windows(2) {
-                    all.extend([pair[0].clone(), half(&pair[0], &pair[1])]);
-                }
-                add(all, "the Bézier points of a uniform quadratic segment");
+            for (degree, words) in
+                UNIFORM.into_iter().filter(|(own, _)| topics.degrees().any(|n| n == *own as i64))
+            {
+                let knots = KnotVector::uniform(degree, points.len(), &Rational::zero(), &Rational::one());
+                let spline = knots.and_then(|knots| BSpline::new(knots, points.clone()));
+                let pieces = spline.map(|spline| spline.bezier_pieces()).unwrap_or_default();
+                let all =
+                    pieces.iter().enumerate().flat_map(|(k, piece)| &piece.points()[usize::from(k > 0)..]);
+                add(&all.cloned().collect::<Vec<_>>(), words);
             }
         }
-        if topics.has(Topic::Scheme) || topics.has(Topic::Subdivision) {
-            let cut = points.windows(2).flat_map(|leg| {
-                [(3, 1), (1, 3)]
-                    .map(|(a, b)| combined(&[(rational(a, 4), &leg[0]), (rational(b, 4), &leg[1])]))
-            });
-            add(cut.collect(), "Chaikin's scheme");
+        if (topics.has(Topic::Scheme) || topics.has(Topic::Subdivision))
+            && let Ok(cut) = Scheme::lane_riesenfeld(2).refine(bezier.points(), false)
+        {
+            add(&cut, "Chaikin's scheme");
         }
-        for row in knots.iter().filter(|row| row.windows(2).all(|pair| pair[0] <= pair[1])) {
-            let Some(degree) =
-                row.len().checked_sub(points.len() + 1).filter(|degree| (1..6).contains(degree))
-            else {
+        for row in knots {
+            let degree = row.len().checked_sub(points.len() + 1).filter(|degree| (1..6).contains(degree));
+            let knots = degree.and_then(|degree| KnotVector::new(degree, row.clone()).ok());
+            let Some(spline) = knots.and_then(|knots| BSpline::new(knots, points.clone()).ok()) else {
                 continue;
             };
             if topics.has(Topic::Insertion) {
-                let inside = |x: &&Rational| row[degree] < **x && **x < row[points.len()] && !row.contains(x);
-                for x in numbers.iter().filter(inside) {
-                    add(
-                        inserted(&points, row, degree, x),
-                        "the control points after the insertion of a knot",
-                    );
+                for refined in
+                    numbers.iter().filter(|x| !row.contains(x)).filter_map(|x| spline.insert(x).ok())
+                {
+                    add(refined.points(), "the control points after the insertion of a knot");
                 }
             }
-            if topics.has(Topic::Derivative) {
-                let leg = |i: usize| {
-                    let width = &row[i + degree + 1] - &row[i + 1];
-                    let factor = if width.is_zero() { width } else { integer(degree as i64) / width };
-                    combined(&[(-factor.clone(), &points[i]), (factor, &points[i + 1])])
-                };
-                add((0..points.len() - 1).map(leg).collect(), "the control points of the derivative");
+            if topics.has(Topic::Derivative)
+                && let Ok(derivative) = spline.derivative()
+            {
+                add(derivative.points(), "the control points of the derivative");
             }
         }
         if topics.has(Topic::Greville)
-            && let Some(own) = self.numbers().filter(|own| own.windows(2).all(|pair| pair[0] <= pair[1]))
+            && let Some(own) = self.numbers()
         {
             for degree in topics.degrees().filter_map(|degree| usize::try_from(degree).ok()) {
-                if degree > 0 && own.len() > degree + 1 {
-                    let mean =
-                        |window: &[Rational]| vec![window.iter().sum::<Rational>() / integer(degree as i64)];
-                    add(own[1..own.len() - 1].windows(degree).map(mean).collect(), "the Greville abscissa");
+                if let Ok(knots) = KnotVector::new(degree, own.clone()) {
+                    let abscissae = (0..knots.count()).map(|i| vec![knots.greville(i)].into());
+                    add(&abscissae.collect::<Vec<_>>(), "the Greville abscissa");
                 }
             }
         }
         found
     }
-}
-
-/// A sum of multiples of points.
-fn combined(terms: &[(Rational, &Point)]) -> Point {
-    let dimension = terms.first().map_or(0, |(_, point)| point.len());
-    (0..dimension).map(|k| terms.iter().map(|(factor, point)| factor * &point[k]).sum()).collect()
-}
-
-fn elevated(points: &[Point]) -> Vec<Point> {
-    let degree = points.len() as i64;
-    let point = |i: usize| {
-        let share = rational(i as i64, degree);
-        let before = &points[i.saturating_sub(1)];
-        let own = &points[i.min(points.len() - 1)];
-        combined(&[(share.clone(), before), (Rational::one() - share, own)])
-    };
-    (0..=points.len()).map(point).collect()
-}
-
-/// The control points of both parts by de Casteljau's algorithm.
-fn halves(points: &[Point], t: &Rational) -> (Vec<Point>, Vec<Point>) {
-    let (mut left, mut right) = (Vec::new(), Vec::new());
-    let mut level = points.to_vec();
-    while let (Some(first), Some(last)) = (level.first(), level.last()) {
-        left.push(first.clone());
-        right.push(last.clone());
-        level = level
-            .windows(2)
-            .map(|pair| combined(&[(Rational::one() - t, &pair[0]), (t.clone(), &pair[1])]))
-            .collect();
-    }
-    right.reverse();
-    (left, right)
-}
-
-/// Boehm's algorithm for a knot inside of the domain.
-fn inserted(points: &[Point], knots: &[Rational], degree: usize, x: &Rational) -> Vec<Point> {
-    let point = |i: usize| {
-        let (from, own) = (&knots[i.min(points.len() - 1 + degree)], points.get(i));
-        let to = knots.get(i + degree).unwrap_or(from);
-        let ratio = if from < to { (x - from) / (to - from) } else { integer(i64::from(to <= x)) };
-        let ratio = ratio.clamp(Rational::zero(), Rational::one());
-        let before = &points[i.saturating_sub(1)];
-        match own {
-            Some(own) => combined(&[(Rational::one() - &ratio, before), (ratio, own)]),
-            None => before.clone(),
-        }
-    };
-    (0..=points.len()).map(point).collect()
 }
 
 fn constant(expr: &Expr) -> Option<Rational> {

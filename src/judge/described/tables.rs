@@ -11,6 +11,7 @@
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::judge::known::checker::Checker;
+use crate::judge::known::found::Point;
 use crate::judge::page::finding::{Evidence, Finding, Verdict, of_side, without_statement};
 use crate::judge::page::statement::{Side, Statement, Triangle};
 use crate::judge::page::topic::Topic;
@@ -19,9 +20,6 @@ use crate::judge::values::rounding::last_digit;
 use crate::language::write;
 use crate::math::number::{Rational, integer, rational};
 use num_traits::{One, Signed, Zero};
-
-/// The coordinates of a point, or one number.
-type Point = Vec<Rational>;
 
 /// How a column of the scheme follows from the one before.
 enum Rule {

@@ -140,3 +140,16 @@ pub(crate) const NO_DEGREE: &str = "this degree does not fit";
 pub(crate) fn is_left_over(problem: &Diagnostic) -> bool {
     problem.code == Code::Usage && [NO_PLACE, NO_DEGREE].contains(&problem.message.as_str())
 }
+
+/// Whether a problem may be that of words which were read as a formula.
+pub(crate) fn may_be_of_words(problem: &Diagnostic) -> bool {
+    matches!(
+        problem.code,
+        Code::UnknownName
+            | Code::UnknownFunction
+            | Code::UnexpectedCharacter
+            | Code::UnexpectedToken
+            | Code::UnexpectedEnd
+            | Code::BadNumber
+    )
+}

@@ -10,8 +10,8 @@ use super::blends::{BOUNDARY, coons};
 use super::differential::{self, derivatives, still};
 use super::interpolation::{self, ENDS, MOMENTS, ONE_END, SLOPES, Samples};
 use super::parameter::{
-    CURVE, DEGREE, LINE, METHOD, NODES, Parameter, SPAN, SPLINE, VALUES, VARIABLE, many, named, optional,
-    required,
+    CURVE, DEGREE, FIRST_CURVE, LINE, METHOD, NODES, Parameter, SECOND_CURVE, SPAN, SPLINE, VALUES, VARIABLE,
+    many, named, optional, required,
 };
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
@@ -32,6 +32,9 @@ use crate::math::ring::Ring;
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 const ABOUT: Builtin = Builtin { gives: Gives::Derivation, ..Builtin::about("Derivations") };
+
+const WITH_NUMBERS: Parameter =
+    required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients");
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "derive",
@@ -170,11 +173,7 @@ const SUBJECTS: &[Builtin] = &[
     },
     Builtin {
         name: "join",
-        parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
-            optional("k", Takes::Size, "1", "the order"),
-        ],
+        parameters: &[FIRST_CURVE, SECOND_CURVE, optional("k", Takes::Size, "1", "the order")],
         summary: "the conditions for two curves to meet C^k",
         example: "derive(join, bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 1)",
         call: |_, args| told(args, join(args)?),
@@ -191,7 +190,7 @@ const SUBJECTS: &[Builtin] = &[
     Builtin {
         name: "roots",
         parameters: &[
-            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            WITH_NUMBERS,
             optional("a", Takes::Number, "below all roots", "the lower end"),
             optional("b", Takes::Number, "above all roots", "the upper end"),
             VARIABLE,
@@ -204,7 +203,7 @@ const SUBJECTS: &[Builtin] = &[
     Builtin {
         name: "clipping",
         parameters: &[
-            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            WITH_NUMBERS,
             optional("a", Takes::Number, "below all roots", "the lower end"),
             optional("b", Takes::Number, "above all roots", "the upper end"),
             named("width=1/1000", Takes::Number, "1/1000", "how long the interval around a root may be"),
@@ -218,7 +217,7 @@ const SUBJECTS: &[Builtin] = &[
     Builtin {
         name: "sturm",
         parameters: &[
-            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            WITH_NUMBERS,
             optional("a", Takes::Number, "below all roots", "the lower end, not counted"),
             optional("b", Takes::Number, "above all roots", "the upper end, counted"),
             VARIABLE,
@@ -245,11 +244,7 @@ const SUBJECTS: &[Builtin] = &[
     },
     Builtin {
         name: "geometric_continuity",
-        parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
-            optional("k", Takes::Size, "2", "the order"),
-        ],
+        parameters: &[FIRST_CURVE, SECOND_CURVE, optional("k", Takes::Size, "2", "the order")],
         summary: "how two curves meet G^k, by the chain rule",
         example: "derive(geometric_continuity, bezier([[0, 0], [1, 0], [2, 1]]), bezier([[2, 1], [4, 3], [5, 5]]), 2)",
         call: |_, args| told(args, geometric_continuity(args)?),

@@ -4,7 +4,7 @@ use super::gives::Gives;
 use std::sync::Arc;
 
 use super::joins::{UNKNOWNS, class, collected_cell, polynomial_pair};
-use super::parameter::{optional, required, size};
+use super::parameter::{FIRST_CURVE, SECOND_CURVE, optional, size};
 use super::{Builtin, solve};
 use crate::language::diagnostic::At;
 use crate::language::eval::{Arguments, Evaluated, Machine};
@@ -21,8 +21,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "geometric_continuity",
         parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
+            FIRST_CURVE,
+            SECOND_CURVE,
             optional("k", Takes::Size, "2", "the highest order that is looked at"),
             UNKNOWNS,
         ],

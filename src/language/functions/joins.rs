@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::matrices::basis_error;
 use super::notions::{BASIS, read_basis};
-use super::parameter::{CURVE, Parameter, named, optional, required};
+use super::parameter::{CURVE, FIRST_CURVE, Parameter, SECOND_CURVE, named, optional, required};
 use super::{Builtin, solve, surface_joins};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::derive::polar_label;
@@ -39,12 +39,7 @@ pub(super) const UNKNOWNS: Parameter = named(
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "joining_conditions",
-        parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
-            optional("k", Takes::Size, "1", "the order"),
-            UNKNOWNS,
-        ],
+        parameters: &[FIRST_CURVE, SECOND_CURVE, optional("k", Takes::Size, "1", "the order"), UNKNOWNS],
         summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
         gives: Gives::Any,
         example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
@@ -114,8 +109,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "continuity",
         parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
+            FIRST_CURVE,
+            SECOND_CURVE,
             optional("at", Takes::Scalar, "the common end", "where they meet").shown("at=t"),
         ],
         summary: "up to which order two curves agree at t, and the first polar values that differ",

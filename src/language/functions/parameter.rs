@@ -150,6 +150,11 @@ pub(super) const LINE: Parameter = required(
 .shown("c");
 
 /// A spline, called s in the form.
+/// The first of two curves that meet.
+pub(super) const FIRST_CURVE: Parameter = required("c", Takes::Curve, "the first curve");
+
+pub(super) const SECOND_CURVE: Parameter = required("d", Takes::Curve, "the second curve");
+
 pub(super) const SPLINE: Parameter = required("spline", Takes::Spline, "the spline").shown("s");
 
 /// A surface, called s in the form.

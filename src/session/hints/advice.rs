@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::budget::Limits;
 use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::formula::{Expr, Kind, call};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, may_be_of_words};
 use crate::language::eval::Equals;
 use crate::language::functions::{Builtin, Need, builtin, function_called};
 use crate::language::lexicon::letters::{self, is_ideograph};
@@ -56,15 +56,7 @@ impl Session {
         whole: Span,
         failure: Box<Failure>,
     ) -> Box<Failure> {
-        let of_words = matches!(
-            failure.problem.code,
-            Code::UnknownName
-                | Code::UnknownFunction
-                | Code::UnexpectedCharacter
-                | Code::UnexpectedToken
-                | Code::UnexpectedEnd
-                | Code::BadNumber
-        );
+        let of_words = may_be_of_words(&failure.problem);
         if !(of_words || failure.problem.code == Code::Type) || failure.file.text() != file.text() {
             return failure;
         }

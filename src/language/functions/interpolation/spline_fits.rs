@@ -29,7 +29,7 @@ use crate::math::interpolate::InterpolationError;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use crate::math::spline::{KnotVector, SplineError};
+use crate::math::spline::{BSpline, KnotVector, SplineError};
 use num_traits::{One, Signed, Zero};
 
 const FUNCTION: Parameter = required("F", Takes::Coordinates, "the function, or a list of its coordinates");
@@ -205,15 +205,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         summary: "Schoenberg's spline: control points F(xi_i) at the Greville abscissae",
         gives: Gives::Spline,
         example: "schoenberg(t^2, 2, [0, 0, 0, 2, 4, 4, 4])",
-        call: |_, args| {
-            let (functions, form) = functions(args)?;
-            let knots = knots_at(args, 1, 2)?;
-            let point = |x: &Fraction| -> Result<Point<Fraction>> {
-                functions.iter().map(|function| value(function, 0, x, args)).collect()
-            };
-            let s = schoenberg(knots, point)?.map_err(spline_error).at(args.span(2))?;
-            Ok(spline(s, form))
-        },
+        call: |_, args| sampled(args, |knots, function| schoenberg(knots, function)),
         ..NEW
     },
     Builtin {
@@ -222,15 +214,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         summary: "the spline with control points by blossoms of local interpolants: exact for degree n",
         gives: Gives::Spline,
         example: "quasi_interpolant(t^2, 2, [0, 0, 0, 2, 4, 4, 4])",
-        call: |_, args| {
-            let (functions, form) = functions(args)?;
-            let knots = knots_at(args, 1, 2)?;
-            let sample = |x: &Fraction| -> Result<Point<Fraction>> {
-                functions.iter().map(|function| value(function, 0, x, args)).collect()
-            };
-            let s = quasi_interpolant(knots, sample)?.map_err(spline_error).at(args.span(2))?;
-            Ok(spline(s, form))
-        },
+        call: |_, args| sampled(args, |knots, function| quasi_interpolant(knots, function)),
         ..NEW
     },
     Builtin {
@@ -262,6 +246,21 @@ pub(crate) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// The spline that an operator makes of the values of the function.
+fn sampled(
+    args: &Arguments,
+    operator: impl FnOnce(
+        KnotVector<Fraction>,
+        &dyn Fn(&Fraction) -> Result<Point<Fraction>>,
+    ) -> Result<std::result::Result<BSpline<Fraction>, SplineError>>,
+) -> Result<Value> {
+    let (functions, form) = functions(args)?;
+    let knots = knots_at(args, 1, 2)?;
+    let values = |x: &Fraction| functions.iter().map(|function| value(function, 0, x, args)).collect();
+    let s = operator(knots, &values)?.map_err(spline_error).at(args.span(2))?;
+    Ok(spline(s, form))
+}
 
 /// Points or numbers at a place.
 fn values(args: &Arguments, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {

@@ -1,7 +1,7 @@
 //! What people call the functions, in six languages: the list `names.txt`, read in any spelling.
 
-use std::collections::{HashMap, HashSet};
-use std::sync::LazyLock;
+use std::collections::HashMap;
+use std::sync::{LazyLock, OnceLock};
 
 use super::super::letters::is_ideograph;
 use super::Phrase;
@@ -29,31 +29,36 @@ pub(super) fn all() -> impl Iterator<Item = Named> {
     })
 }
 
+/// A small letter without its accent; `None` for a combining accent, which belongs to the letter before it.
+fn bare(c: char) -> Option<char> {
+    Some(match c {
+        'á' | 'à' | 'â' | 'ä' | 'ã' | 'å' => 'a',
+        'é' | 'è' | 'ê' | 'ë' => 'e',
+        'í' | 'ì' | 'î' | 'ï' => 'i',
+        'ó' | 'ò' | 'ô' | 'ö' | 'õ' | 'œ' => 'o',
+        'ú' | 'ù' | 'û' | 'ü' => 'u',
+        'ç' => 'c',
+        'ñ' => 'n',
+        '’' => '\'',
+        'ß' => 's',
+        '\u{300}'..='\u{36f}' => return None,
+        other => other,
+    })
+}
+
 /// A word as it is compared: in small letters, without accents, ä as ae or a, and s for z.
 pub(super) fn plain(word: &str) -> String {
     const LONG: usize = 6;
     let mut folded = String::with_capacity(word.len());
     for c in word.chars().flat_map(char::to_lowercase) {
-        let base = match c {
-            'á' | 'à' | 'â' | 'ä' | 'ã' | 'å' => 'a',
-            'é' | 'è' | 'ê' | 'ë' => 'e',
-            'í' | 'ì' | 'î' | 'ï' => 'i',
-            'ó' | 'ò' | 'ô' | 'ö' | 'õ' => 'o',
-            'ú' | 'ù' | 'û' | 'ü' => 'u',
-            'ç' => 'c',
-            'ñ' => 'n',
-            '’' => '\'',
-            'ß' => {
-                folded.push('s');
-                's'
-            }
-            'œ' => 'o',
-            // A combining accent belongs to the letter before it.
-            '\u{300}'..='\u{36f}' => continue,
-            'e' if folded.ends_with(['a', 'o', 'u']) => continue,
-            other => other,
-        };
-        folded.push(base);
+        if c == 'ß' {
+            folded.push('s');
+        }
+        match bare(c) {
+            Some('e') if c == 'e' && folded.ends_with(['a', 'o', 'u']) => {}
+            Some(base) => folded.push(base),
+            None => {}
+        }
     }
     if folded.chars().count() >= LONG { folded.replace('z', "s") } else { folded }
 }
@@ -87,46 +92,98 @@ fn each(words: &str, one: &dyn Fn(&str) -> String) -> String {
 
 type Names = HashMap<String, Phrase>;
 
-/// Maps names as `one` compares their words; the first function of a name has it.
-fn by(one: &dyn Fn(&str) -> String) -> Names {
-    let mut found = Names::new();
-    for Named { function, name } in all().filter(|named| !named.name.starts_with(is_ideograph)) {
-        found.entry(each(name, one)).or_insert(Phrase::Function(function));
-    }
-    found
+/// The names with one initial, in each spelling only where a word with that initial asks for it: most lines need few of them.
+#[derive(Default)]
+struct Initial {
+    names: Vec<Named>,
+    exact: OnceLock<Names>,
+    stems: OnceLock<Names>,
 }
 
-static EXACT: LazyLock<Names> = LazyLock::new(|| by(&plain));
-
-static STEMS: LazyLock<Names> = LazyLock::new(|| by(&stem));
-
-/// Other phrases as they are written without their accents.
-static PLAIN: LazyLock<Names> = LazyLock::new(|| {
-    const SHORTEST: usize = 4;
-    let mut found = Names::new();
-    for (phrase, name) in super::all() {
-        for form in super::forms_of(name) {
-            let folded = each(&form, &plain);
-            if folded.chars().count() >= SHORTEST && folded != form {
-                found.entry(folded).or_insert(phrase);
-            }
+static INITIALS: LazyLock<HashMap<char, Initial>> = LazyLock::new(|| {
+    let mut found: HashMap<char, Initial> = HashMap::new();
+    for named in all().filter(|named| !named.name.starts_with(is_ideograph)) {
+        if let Some(initial) = initial(named.name) {
+            found.entry(initial).or_default().names.push(named);
         }
     }
     found
 });
 
+/// The other phrases with one initial, and these as they are written without their accents.
+#[derive(Default)]
+struct Others {
+    phrases: Vec<(Phrase, &'static str)>,
+    plain: OnceLock<Names>,
+}
+
+static OTHERS: LazyLock<HashMap<char, Others>> = LazyLock::new(|| {
+    let mut found: HashMap<char, Others> = HashMap::new();
+    for (phrase, name) in super::all() {
+        if let Some(initial) = initial(name) {
+            found.entry(initial).or_default().phrases.push((phrase, name));
+        }
+    }
+    found
+});
+
+impl Others {
+    fn plain(&self) -> &Names {
+        const SHORTEST: usize = 4;
+        self.plain.get_or_init(|| {
+            let mut found = Names::new();
+            for (phrase, name) in &self.phrases {
+                for form in super::forms_of(name) {
+                    let folded = each(&form, &plain);
+                    if folded.chars().count() >= SHORTEST && folded != form {
+                        found.entry(folded).or_insert(*phrase);
+                    }
+                }
+            }
+            found
+        })
+    }
+}
+
+/// The first letter as it is compared.
+fn initial(words: &str) -> Option<char> {
+    let first = words.trim_start_matches([' ', '-']).chars().next()?;
+    first.to_lowercase().find_map(bare).map(|c| if c == 'z' { 's' } else { c })
+}
+
+impl Initial {
+    fn of(words: &str) -> Option<&'static Initial> {
+        INITIALS.get(&initial(words)?)
+    }
+
+    /// Maps names as `one` compares their words; the first function of a name has it.
+    fn by(&self, one: &dyn Fn(&str) -> String) -> Names {
+        let mut found = Names::new();
+        for Named { function, name } in &self.names {
+            found.entry(each(name, one)).or_insert(Phrase::Function(function));
+        }
+        found
+    }
+
+    fn exact(&self) -> &Names {
+        self.exact.get_or_init(|| self.by(&plain))
+    }
+
+    fn stems(&self) -> &Names {
+        self.stems.get_or_init(|| self.by(&stem))
+    }
+}
+
 /// The function that words in small letters are the name of.
 pub(super) fn named(words: &str) -> Option<Phrase> {
-    EXACT.get(&each(words, &plain)).copied()
+    Initial::of(words)?.exact().get(&each(words, &plain)).copied()
 }
 
 /// Whether some name begins with a word, so that more of it may follow.
 pub(super) fn begins(word: &str) -> bool {
-    static STARTS: LazyLock<HashSet<String>> = LazyLock::new(|| {
-        let first = |name: &String| name.split(' ').next().unwrap_or_default().to_owned();
-        EXACT.keys().map(first).collect()
-    });
-    STARTS.contains(&plain(word))
+    let word = plain(word);
+    let first = |name: &str| name.split([' ', '-']).next().is_some_and(|first| plain(first) == word);
+    Initial::of(&word).is_some_and(|own| own.names.iter().any(|named| first(named.name)))
 }
 
 /// The phrase that words in small letters are, in another spelling than that of the lists.
@@ -135,8 +192,10 @@ pub(super) fn spelled(words: &str) -> Option<Phrase> {
     if words.len() < SHORTEST {
         return None;
     }
-    let found = PLAIN.get(&each(words, &plain)).or_else(|| STEMS.get(&each(words, &stem)));
-    found.copied().or_else(|| doing(words))
+    let first = initial(words)?;
+    let other = OTHERS.get(&first).and_then(|own| own.plain().get(&each(words, &plain)));
+    let named = || INITIALS.get(&first)?.stems().get(&each(words, &stem));
+    other.or_else(named).copied().or_else(|| doing(words))
 }
 
 /// A command in another form of its verb: splitting, elevated.
