@@ -149,6 +149,27 @@ pub(super) fn parts(
     parts
 }
 
+/// Whether a text can have words: a formula of letters and calls, polar(t^3) + 1, has none, and needs none looked up.
+pub(super) fn may_have_words(text: &str) -> bool {
+    if !text.is_ascii() || text.contains(['=', '?', '\'']) {
+        return true;
+    }
+    let part = |c: char| c.is_alphanumeric() || c == '_';
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_alphabetic()) {
+        let apart = rest.piece(..start).ends_with(' ');
+        rest = rest.piece(start..);
+        let end = rest.find(|c| !part(c)).unwrap_or(rest.len());
+        let letters = rest.piece(..end).chars().filter(|c| c.is_alphabetic()).count();
+        rest = rest.piece(end..);
+        // A letter between blanks may be one, as in Spanish.
+        if if letters > 1 { !rest.starts_with('(') } else { apart && rest.starts_with(' ') } {
+            return true;
+        }
+    }
+    false
+}
+
 /// The text with blanks for the parentheses around words: `at t = 1/2 (degree 2)`.
 pub(super) fn without_asides<'a>(
     text: &'a str,
@@ -393,4 +414,29 @@ pub(crate) fn without_text_commands(text: &str) -> Cow<'_, str> {
         at = open;
     }
     masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::may_have_words;
+
+    #[test]
+    fn formulas_and_calls_have_no_words() {
+        for formula in ["polar(t^3)", "t^2 + 2t - 1", "[1, 2, 3]", "root_of(t^2 - 2, 1, 2)^2", "B_2^3(t)", ""]
+        {
+            assert!(!may_have_words(formula), "{formula}");
+        }
+        for words in [
+            "roots t^2",
+            "roots(F) on [0, 1]",
+            "t^2 a 3",
+            "f(0) = 1",
+            "t^2 à 3",
+            "C^1?",
+            "导数 t^2",
+            "q blossom of t",
+        ] {
+            assert!(may_have_words(words), "{words}");
+        }
+    }
 }

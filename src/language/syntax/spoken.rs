@@ -17,7 +17,9 @@ mod totals;
 pub(crate) use self::counts::Count;
 pub(crate) use self::loose::loosely;
 pub(crate) use self::totals::family_index;
-use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
+use super::pieces::{
+    Part, begins_equation, has_words, is_sum, may_have_words, parts, without_asides, without_text_commands,
+};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase, Place};
@@ -133,6 +135,9 @@ fn prepared(
     function: &dyn Fn(&str) -> Option<&'static str>,
     about: bool,
 ) -> Option<(String, Vec<Part>)> {
+    if !may_have_words(text) {
+        return None;
+    }
     let masked = without_text_commands(text);
     let text = without_asides(masked.as_ref(), known, function).into_owned();
     let parts = parts(&text, known, function);
