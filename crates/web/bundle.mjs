@@ -23,7 +23,7 @@ function katexStyle() {
   return [carried, ...local].join("");
 }
 
-const PARTS = ["words", "reasons", "problems", "translate", "show", "engine", "ask", "check", "play", "link", "warm", "main"];
+const PARTS = ["words", "reasons", "problems", "translate", "show", "apart", "engine", "ask", "check", "play", "link", "warm", "main"];
 const script = `"use strict";(() => {\n${PARTS.map((name) => read(`page/${name}.js`)).join("\n")}\n})();`;
 const style = `${katexStyle()}\n${read("page/style.css")}`;
 const katex = read("node_modules/katex/dist/katex.min.js");

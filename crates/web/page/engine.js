@@ -17,7 +17,7 @@ function unpacked() {
     const raw = atob(document.getElementById("module").textContent);
     const packed = new Uint8Array(raw.length);
     for (let i = 0; i < raw.length; i++) packed[i] = raw.charCodeAt(i);
-    const stream = new window["xz-decompress"].XzReadableStream(new Blob([packed]).stream());
+    const stream = new window["xz-decompress"].XzReadableStream(new Blob([packed]).stream()).pipeThrough(assembled());
     // What is unpacked is compiled while the rest is unpacked.
     return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
   })();
