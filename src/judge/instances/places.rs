@@ -127,7 +127,12 @@ impl Trial<'_> {
             return vec![place];
         }
         // Σ_{i=a}^b c_i N_{i,p} is meant where no other N_{i,p} lives, if nothing else is said.
-        if !self.conditions.iter().any(|condition| mentions_knots(&condition)) {
+        let between_knots = |condition: &&Expr| {
+            mentions_knots(condition) && own_variables(condition).iter().any(|name| is_variable(name))
+        };
+        if !self.conditions.iter().any(|one| mentions_knots(&one))
+            && !self.hypotheses().iter().any(|one| between_knots(&one))
+        {
             for [from, to, degree] in self.sums_of_splines(bound) {
                 let (start, end) = (model.knot(from + degree), model.knot(to + 1));
                 if breaks.is_empty() {

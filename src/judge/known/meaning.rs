@@ -298,7 +298,7 @@ impl Checker {
                 return polar
                     && (of_known()
                         || curve.is_some()
-                        || right.contains(&capital)
+                        || right.contains(&capital) && !has_members(body, std::slice::from_ref(&capital))
                         || calls(body, &head.base))
                     || count == 1 && of_known();
             }

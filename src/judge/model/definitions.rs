@@ -386,13 +386,29 @@ impl Model {
         if self.asking.replace(true) {
             return Some(true);
         }
-        // b_i^0 = b_i for 1 ≤ k ≤ n, 0 ≤ i ≤ n - k: the k is that of another formula beside it.
+        // b_i^0 = b_i for 1 ≤ k ≤ n, 0 ≤ i ≤ n - k: the k is that of another formula beside it. But d_i^* = d_i for i ≤ r - n
+        // is so for the r of which all speaks.
+        let is_bound =
+            |name: &String| bound.iter().any(|(known, _)| known.is_plain() && known.base() == name);
+        let elsewhere: BTreeSet<String> = definition
+            .conditions
+            .iter()
+            .map(bases)
+            .filter(|names| !names.iter().any(is_bound))
+            .flatten()
+            .collect();
+        let is_given = |name: &String| {
+            !elsewhere.contains(name)
+                && machine.lookup(&Symbol::new(name)).is_some_and(|value| value.as_int().is_some())
+        };
         let own = |condition: &&Expr| {
             bases(condition).iter().all(|name| {
                 !matches!(name.as_str(), "i" | "j" | "k" | "l" | "r" | "s")
-                    || bound.iter().any(|(known, _)| known.is_plain() && known.base() == name)
+                    || is_bound(name)
+                    || is_given(name)
             })
         };
+        let conditions: Vec<&Expr> = definition.conditions.iter().filter(own).collect();
         let arguments: BTreeSet<String> = definition.head.flat().into_iter().flat_map(bases).collect();
         let mut allowed = Some(true);
         // Near a number the arguments have its value.
@@ -404,7 +420,7 @@ impl Model {
             .iter()
             .map(|(name, value)| (name.clone(), near(value).unwrap_or_else(|| value.clone())))
             .collect();
-        for condition in definition.conditions.iter().filter(own) {
+        for condition in conditions {
             match machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition))) {
                 Ok(Some(false)) => {
                     allowed = Some(false);

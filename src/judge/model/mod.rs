@@ -29,7 +29,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use crate::formula::{BinomialStyle, Expr, Kind, Rel, interval};
+use crate::formula::{BinomialStyle, Expr, Kind, Rel, Sign, Term, interval};
 use crate::judge::page::context::{Context, Definition};
 use crate::judge::page::statement::{Curve, Place};
 use crate::judge::values::roots;
@@ -504,7 +504,13 @@ impl Model {
                 Some(Index::Word(name.clone()))
             }
             Kind::Text(text) => Some(Index::Word(text.trim().to_owned())),
-            Kind::Add(terms) if terms.len() == 1 && matches!(terms[0].expr.kind, Kind::Number(_)) => {
+            // f_{+1}; but t_{-2} is one of the t_i.
+            Kind::Add(terms)
+                if matches!(
+                    terms.as_slice(),
+                    [Term { sign: Sign::Plus, expr: Expr { kind: Kind::Number(_), .. } }]
+                ) =>
+            {
                 Some(Index::Word("+".to_owned() + &machine.eval(&terms[0].expr).ok()?.as_int()?.to_string()))
             }
             // u_{ij} with a two-letter index

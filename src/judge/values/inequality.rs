@@ -19,6 +19,24 @@ pub struct Range {
     open: [bool; 2],
 }
 
+impl Range {
+    /// The closed interval between two numbers.
+    pub(crate) fn between(lower: Rational, upper: Rational) -> Self {
+        Range { lower: Some(lower), upper: Some(upper), open: [false, false] }
+    }
+
+    /// Its ends, as far as it has some.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = &Rational> {
+        self.lower.iter().chain(&self.upper)
+    }
+
+    /// Whether a number lies beyond one of its ends.
+    pub(crate) fn is_passed_by(&self, number: &Rational) -> bool {
+        self.lower.as_ref().is_some_and(|lower| number < lower)
+            || self.upper.as_ref().is_some_and(|upper| number > upper)
+    }
+}
+
 /// What holds for d ≥ 0 or d > 0 everywhere in a range.
 pub enum Decision {
     /// It holds.
@@ -298,7 +316,7 @@ fn over_box(
 }
 
 /// The range of a variable that the conditions give, by the first of them that gives an end: 0 ≤ t ≤ 1, t ∈ [0, 1), t > 0.
-fn range(symbol: &Symbol, conditions: &[Expr]) -> Option<Range> {
+pub(crate) fn range(symbol: &Symbol, conditions: &[Expr]) -> Option<Range> {
     let named = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if *symbol == Symbol::new(name));
     let mut found: Option<Range> = None;
     for condition in conditions {

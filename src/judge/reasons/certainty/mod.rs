@@ -19,6 +19,7 @@ use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::compare::{self, Domain, Outcome};
 use crate::judge::values::evaluator;
+use crate::judge::values::inequality::{self, Range};
 use crate::judge::written::features::has_divided_differences;
 use crate::judge::written::names::{Head, bases, is_index_letter, underived, walk};
 use crate::language::lexicon::roles::{is_degree, is_intermediate};
@@ -207,26 +208,45 @@ impl Suspect<'_> {
         Some(format!("it holds for {} = {value}", symbol.base()))
     }
 
-    /// s(9/5), where s(u) = 1 + 2u was said beside [0, 1]: it may be so there only.
+    /// s(9/5) or s(u - 1), where s(u) = 1 + 2u was said beside [0, 1]: it may be so there only.
     fn outside_of_its_interval(&self) -> Option<String> {
-        let beside = |definition: &Definition| {
+        let context = &self.checker.context;
+        let range_of = |definition: &Definition, variable: &Symbol| {
             let own = &definition.place;
-            let mut all = self.checker.context.intervals_beside(own).rev();
-            all.find(|(formula, ..)| (own.formula.saturating_sub(2)..=own.formula + 1).contains(formula))
+            let near = own.formula.saturating_sub(2)..=own.formula + 1;
+            let beside = || {
+                let mut all = context.intervals_beside(own).rev();
+                let (_, [from, to], _) = all.find(|(formula, ..)| near.contains(formula))?;
+                Some(Range::between(evaluator::number(from)?, evaluator::number(to)?))
+            };
+            let heard = || {
+                let beside = context.heard.iter().filter(|(other, _)| other.group == own.group);
+                let near: Vec<Expr> = beside
+                    .filter(|(other, _)| near.contains(&other.formula))
+                    .map(|(_, range)| Expr::clone(range))
+                    .collect();
+                inequality::range(variable, &near)
+            };
+            inequality::range(variable, &definition.conditions).or_else(beside).or_else(heard)
         };
-        let mut used = self.used().filter(|own| own.head.flat().len() == 1 && own.head.lower.is_empty());
-        used.find_map(|definition| {
-            let (_, [from, to], _) = beside(definition)?;
-            let (from, to) = (evaluator::number(from)?, evaluator::number(to)?);
+        self.used().find_map(|definition| {
+            let own = &definition.head;
+            let [Expr { kind: Kind::Name(variable), .. }] = own.flat().as_slice() else { return None };
+            let variable = Symbol::new(variable);
+            let range = range_of(definition, &variable)?;
+            let value = |argument: &Expr, at: &Rational| {
+                let at = [(variable.clone(), Value::number(at.clone()))];
+                let value = evaluator::machine().with_locals(at, |machine| machine.eval(argument));
+                value.ok().and_then(|value| value.as_rational())
+            };
             let mut outside = |part: &Expr| {
                 let Kind::Apply(callee, groups) = &part.kind else { return false };
-                let [argument] = groups.as_slice() else { return false };
-                let own = Head::of(underived(callee)).is_some_and(|head| head.base == definition.head.base);
-                let at = argument.first().filter(|_| own).and_then(evaluator::number);
-                at.is_some_and(|at| at < from || at > to)
+                let [argument] = groups.iter().flatten().collect::<Vec<_>>()[..] else { return false };
+                let called = Head::of(underived(callee)).is_some_and(|head| head.base == own.base);
+                called
+                    && range.ends().filter_map(|end| value(argument, end)).any(|at| range.is_passed_by(&at))
             };
-            let name = &definition.head.base;
-            self.any(&mut outside).then(|| format!("what {name} is there is not said"))
+            self.any(&mut outside).then(|| format!("what {} is there is not said", own.base))
         })
     }
 

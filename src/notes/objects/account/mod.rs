@@ -171,6 +171,10 @@ fn formulas(all: &[Sign]) -> impl Iterator<Item = usize> {
 impl Account {
     /// Takes the points of a spline.
     fn spline(&mut self, families: Vec<List>, told: &Told) -> Option<()> {
+        // Of t_0 < t_1 < … it is not known how many there are.
+        if self.knots.iter().any(|knot| knot.kind == Kind::Ellipsis) {
+            return None;
+        }
         let mut families = families.into_iter();
         let Some(list) = families.next() else {
             // One function of the basis; a spline on these knots may have any points.
