@@ -5,13 +5,21 @@ use super::speech;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::written::names::{bases, is_index_letter};
 
-/// t_0, …, t_3 = 0, 0, 1, 1: one list equals the other.
+/// t_0, …, t_3 = 0, 0, 1, 1 and a_0, …, a_3 = ¼(1, 3, 3, 1): one list equals the other.
 fn listed_values(items: &[Expr]) -> Option<Expr> {
     let at = items.iter().position(|item| matches!(item.kind, Kind::Chain(..)))?;
     let Kind::Chain(left, links) = &items[at].kind else { return None };
     let [Link { rel: Rel::Eq, span, expr: first }] = links.as_slice() else { return None };
-    let names: Vec<Expr> = items[..at].iter().chain([left.as_ref()]).cloned().collect();
-    let values: Vec<Expr> = [first].into_iter().chain(&items[at + 1..]).cloned().collect();
+    let inside = left.items().filter(|_| at == 0);
+    let names: Vec<Expr> = match inside {
+        Some(names) => names.to_vec(),
+        None => items[..at].iter().chain([left.as_ref()]).cloned().collect(),
+    };
+    let list = multiplied(first).filter(|list| list.len() > 1 && at + 1 == items.len());
+    let values = match &list {
+        Some(list) => list.clone(),
+        None => [first].into_iter().chain(&items[at + 1..]).cloned().collect(),
+    };
     let member = |name: &&Expr| matches!(name.kind, Kind::Subscript(..));
     let index = |name: &Expr| match &name.kind {
         Kind::Subscript(_, lower) => lower.first()?.as_int(),
@@ -19,21 +27,43 @@ fn listed_values(items: &[Expr]) -> Option<Expr> {
     };
     let dots = names.iter().any(|name| name.kind == Kind::Ellipsis);
     let named = names.iter().filter(|name| name.kind != Kind::Ellipsis).all(|name| member(&name));
-    let count = match dots {
-        true => index(names.last()?)? - index(names.first()?)? + 1,
-        false => names.len() as i64,
+    let (least, count) = match dots {
+        true => (index(names.first()?)?, index(names.last()?)? - index(names.first()?)? + 1),
+        false => (0, names.len() as i64),
     };
     let constant = values.iter().all(|value| bases(value).is_empty() && value.kind != Kind::Ellipsis);
-    (at > 0 && named && constant && count == values.len() as i64).then(|| {
-        let list = |items: Vec<Expr>| {
-            let span = items[0].span.to(items[items.len() - 1].span);
-            Expr::new(Kind::Tuple(items), span)
-        };
-        let (left, right) = (list(names), list(values));
-        let whole = left.span.to(right.span);
-        let link = Link { rel: Rel::Eq, span: *span, expr: right };
-        Expr::new(Kind::Chain(Box::new(left), vec![link]), whole)
-    })
+    let apart = at > 0 || inside.is_some() && list.is_some();
+    if !(apart && named && constant && count == values.len() as i64) {
+        return None;
+    }
+    let names = match (&names[0].kind, list.is_some() && dots) {
+        (Kind::Subscript(letter, _), true) => (least..least + count)
+            .map(|j| Expr::new(Kind::Subscript(letter.clone(), vec![Expr::int(j)]), names[0].span))
+            .collect(),
+        _ => names,
+    };
+    let start = if at == 0 { left.span } else { items[0].span };
+    let end = items[at + 1..].last().map_or(first.span, |last| last.span);
+    let left = Expr::new(Kind::Tuple(names), start.to(left.span));
+    let right = Expr::new(Kind::Tuple(values), first.span.to(end));
+    let link = Link { rel: Rel::Eq, span: *span, expr: right };
+    Some(Expr::new(Kind::Chain(Box::new(left), vec![link]), start.to(end)))
+}
+
+/// The items of a list, each with the number before it: ¼(1, 3, 3, 1).
+fn multiplied(list: &Expr) -> Option<Vec<Expr>> {
+    match &list.kind {
+        Kind::Mul(factors) => {
+            let (last, before) = factors.split_last()?;
+            let items = last.items().filter(|_| before.iter().all(|factor| bases(factor).is_empty()))?;
+            let one = |item: &Expr| {
+                let product = Expr::product(before.iter().chain([item]).cloned().collect());
+                Expr::new(product.kind, item.span)
+            };
+            Some(items.iter().map(one).collect())
+        }
+        _ => list.items().map(<[Expr]>::to_vec),
+    }
 }
 
 /// Two conditions with "or" between them as one.

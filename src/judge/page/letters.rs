@@ -100,6 +100,7 @@ impl Letters {
         };
         letters.polar_forms = statements.iter().any(|statement| statement.topics.has(Topic::PolarForm));
         let (mut letters_seen, mut columns) = (false, false);
+        let mut nodes = BTreeSet::new();
         let mut look = |expr: &Expr| {
             walk(expr, &mut |part| letters.look(part));
         };
@@ -113,17 +114,18 @@ impl Letters {
                     sides().for_each(&mut look);
                 }
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Object(_)
-                | Said::Contact(_)
-                | Said::Triangles(..)
-                | Said::Declaration(..)
-                | Said::Queries(..) => {}
+                Said::Object(object) => {
+                    nodes.extend(object.nodes().iter().filter_map(Head::of).map(|head| head.base))
+                }
+                Said::Contact(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
         letters.binomial_family = letters_seen;
         letters.columns = columns;
         // p(0) = f_0: f is the letter of values, if it is applied to nothing.
-        let Letters { functions, applied, members, .. } = &mut letters;
+        let Letters { functions, applied, members, towers, .. } = &mut letters;
+        // x_i^{n+1} is a power of the node x_i.
+        towers.retain(|name| !nodes.contains(name));
         functions.retain(|name| applied.contains(name) || members.get(name).is_none_or(|count| *count == 0));
         letters
     }

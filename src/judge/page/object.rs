@@ -115,6 +115,14 @@ pub struct Object {
 }
 
 impl Object {
+    /// The nodes or knots that it is, or that it has.
+    pub fn nodes(&self) -> &[Expr] {
+        match self.sort {
+            Sort::Knots | Sort::Nodes => &self.names,
+            _ => &self.knots,
+        }
+    }
+
     /// Nothing but a sort.
     pub fn new(sort: Sort) -> Self {
         Object {

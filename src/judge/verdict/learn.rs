@@ -126,10 +126,13 @@ impl Checker {
         values.iter().zip(first..).map(member).collect()
     }
 
-    /// A formula that holds for Lagrange polynomials says what they are for other nodes, too.
+    /// A formula that holds for Lagrange polynomials says what they are for other nodes, too, and one for what is known from its
+    /// paragraph only says what it is in the next ones.
     pub(in crate::judge) fn keep(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &Finding) {
-        let spoken =
-            self.context.object(head, place).is_some_and(|known| known.object.sort == Sort::Lagrange);
+        let spoken = self
+            .context
+            .object(head, place)
+            .is_some_and(|known| known.object.sort == Sort::Lagrange || known.object.local);
         let holds = matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
         if spoken && holds && !head.flat().is_empty() && !self.is_covered(head, place) {
             let body = &chain.sides[1].expr;
@@ -167,21 +170,28 @@ impl Checker {
             && self.context.listed(&head.base, place).is_some_and(|(_, last)| index.same_as(&last))
     }
 
-    /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
+    /// [a, b] = [0, 2], (p, q) = (1, 3), (a_0, a_1, a_2) = (1, 2, 1): takes in the values of names that mean nothing in this
+    /// section.
     pub(in crate::judge) fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
         let place = &statement.place;
         let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
         let (Some(names), Some(values)) = (chain.sides[0].expr.items(), chain.sides[1].expr.items()) else {
             return false;
         };
-        let new = |name: &Expr| match &name.kind {
+        let new = |(name, value): (&Expr, &Expr)| match &name.kind {
             Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
+            Kind::Subscript(..) => Head::of(name).is_some_and(|head| {
+                head.index().is_some_and(|index| index.as_int().is_some())
+                    && self.context.object(&head, place).is_none()
+                    && !self.is_covered(&head, place)
+                    && !self.is_known(&head, value, place, &None)
+            }),
             _ => false,
         };
         let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
         let gives = names.len() == values.len()
             && statement.role != Some(Role::Claimed)
-            && names.iter().all(new)
+            && names.iter().zip(values).all(new)
             && values.iter().all(constant);
         if gives {
             for (head, value) in names.iter().filter_map(Head::of).zip(values) {

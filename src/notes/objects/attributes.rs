@@ -249,6 +249,17 @@ impl Reader<'_> {
                         next = self.skip_fillers(next + 1);
                     }
                 }
+                // for n + 1 distinct nodes x_0, …, x_n
+                let counted = self.skip_fillers(next + 1);
+                let number = matches!(
+                    self.tokens.get(next),
+                    Some(Token::Formula(_) | Token::Number(_) | Token::Word(Word::Count(_)))
+                );
+                if number
+                    && matches!(self.tokens.get(counted), Some(token @ Token::Word(Word::Noun(Sort::Knots | Sort::Nodes | Sort::ControlPoints))) if object.is_without(token))
+                {
+                    next = counted;
+                }
                 // "The Bézier points of the left piece, over [a, c]"
                 if *piece && object.sort == Sort::ControlPoints && object.interval.is_none() {
                     let comma = usize::from(matches!(self.tokens.get(next), Some(Token::Comma)));

@@ -71,6 +71,10 @@ pub(super) fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
             _ => continue,
         };
         let own = found.entry(statement.place.formula).or_default();
+        if let Some(members) = members_of_sequence(&expr) {
+            own.extend(members);
+            continue;
+        }
         match expr.kind {
             Kind::Sequence(items) => own.extend(items),
             Kind::Chain(first, links) if is_ordered(&first, &links) => {
@@ -81,6 +85,50 @@ pub(super) fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
         }
     }
     found
+}
+
+/// The members of a sequence: t_i of (t_i)_{i ∈ ℤ}, and t_0, …, t_m of {t_i}_{i=0}^m.
+fn members_of_sequence(expr: &Expr) -> Option<Vec<Expr>> {
+    let whole = match &expr.kind {
+        // t = (t_i)
+        Kind::Chain(first, links) => match (&first.kind, links.as_slice()) {
+            (Kind::Name(_), [link]) if matches!(link.rel, Rel::Eq | Rel::Define) => &link.expr,
+            _ => return None,
+        },
+        _ => expr,
+    };
+    let (below, upper) = match &whole.kind {
+        Kind::Upper(below, upper) => (below.as_ref(), upper.as_slice()),
+        _ => (whole, [].as_slice()),
+    };
+    let (inside, lower) = match &below.kind {
+        Kind::Subscript(inside, lower) => (inside.as_ref(), lower.as_slice()),
+        _ => (below, [].as_slice()),
+    };
+    let member = match &inside.kind {
+        Kind::Group(one) => one.as_ref(),
+        Kind::Set(items, None) | Kind::Tuple(items) | Kind::List(items) => match items.as_slice() {
+            [one] => one,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Kind::Subscript(letter, indices) = &member.kind else { return None };
+    let [Expr { kind: Kind::Name(index), .. }] = indices.as_slice() else { return None };
+    let at = |end: &Expr| Expr::new(Kind::Subscript(letter.clone(), vec![end.clone()]), member.span);
+    let from = lower.iter().find_map(|range| match &range.kind {
+        Kind::Chain(own, links) if matches!(&own.kind, Kind::Name(name) if name == index) => {
+            match links.as_slice() {
+                [link] if link.rel == Rel::Eq => Some(&link.expr),
+                _ => None,
+            }
+        }
+        _ => None,
+    });
+    Some(match (from, upper) {
+        (Some(from), [to]) => vec![at(from), Kind::Ellipsis.into(), at(to)],
+        _ => vec![member.clone()],
+    })
 }
 
 /// What formulas say of each member: (b_0, b_1, b_2) = (1, 4, 2) is b_0 = 1, b_1 = 4, b_2 = 2.
