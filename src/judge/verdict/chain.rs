@@ -287,6 +287,8 @@ impl Checker {
         }
         if let Some(head) = &head {
             self.keep(chain, head, place, &findings[0]);
+        } else if findings[0].verdict == Verdict::Definition && start == 0 {
+            self.gives_members(chain, place);
         }
         // B_2^5(t) = 10 t^2 (1 - t)^3: these are the Bernstein polynomials.
         if let Some(own) = Head::of(&chain.sides[0].expr).filter(Head::is_bernstein)

@@ -126,6 +126,19 @@ impl Checker {
         values.iter().zip(first..).map(member).collect()
     }
 
+    /// (a_0, a_1, a_2) = (1, 2, 1), of which nothing is known: takes in what each of them is.
+    pub(in crate::judge) fn gives_members(&mut self, chain: &Chain, place: &Place) {
+        let [left, right] = chain.sides.as_slice() else { return };
+        let (Some(names), Some(values)) = (left.expr.items(), right.expr.items()) else { return };
+        let member = |name: &Expr| Head::of(name).filter(|head| head.index().is_some_and(|index| index.as_int().is_some()));
+        let heads: Vec<Head> = names.iter().filter_map(member).collect();
+        if heads.len() == names.len() && heads.len() == values.len() {
+            for (head, value) in heads.into_iter().zip(values) {
+                self.define(head, Body::Formula(value.clone()), &[], place, value.span);
+            }
+        }
+    }
+
     /// A formula that holds for Lagrange polynomials says what they are for other nodes, too, and one for what is known from its
     /// paragraph only says what it is in the next ones.
     pub(in crate::judge) fn keep(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &Finding) {
@@ -170,28 +183,21 @@ impl Checker {
             && self.context.listed(&head.base, place).is_some_and(|(_, last)| index.same_as(&last))
     }
 
-    /// [a, b] = [0, 2], (p, q) = (1, 3), (a_0, a_1, a_2) = (1, 2, 1): takes in the values of names that mean nothing in this
-    /// section.
+    /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
     pub(in crate::judge) fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
         let place = &statement.place;
         let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
         let (Some(names), Some(values)) = (chain.sides[0].expr.items(), chain.sides[1].expr.items()) else {
             return false;
         };
-        let new = |(name, value): (&Expr, &Expr)| match &name.kind {
+        let new = |name: &Expr| match &name.kind {
             Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
-            Kind::Subscript(..) => Head::of(name).is_some_and(|head| {
-                head.index().is_some_and(|index| index.as_int().is_some())
-                    && self.context.object(&head, place).is_none()
-                    && !self.is_covered(&head, place)
-                    && !self.is_known(&head, value, place, &None)
-            }),
             _ => false,
         };
         let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
         let gives = names.len() == values.len()
             && statement.role != Some(Role::Claimed)
-            && names.iter().zip(values).all(new)
+            && names.iter().all(new)
             && values.iter().all(constant);
         if gives {
             for (head, value) in names.iter().filter_map(Head::of).zip(values) {
