@@ -4,10 +4,12 @@ use super::calls::{each, unclear};
 use super::definitions::OPEN_PIECE;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
+use crate::judge::page::context::Body;
 use crate::judge::page::object::Sort;
 use crate::judge::values::equality::symbols;
 use crate::judge::written::names::{Head, bases, primed};
 use crate::language::eval::Machine;
+use crate::language::ops::arithmetic;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
@@ -41,6 +43,76 @@ impl Model {
             Err(error) => return Some(Err(error)),
         };
         Some(self.derivative(machine, callee, order, &at, expr))
+    }
+
+    /// D_d F(u, v, w) = d_1 F_u + d_2 F_v + d_3 F_w, unless the page says what D is.
+    pub(super) fn directional_derivative(
+        &self,
+        machine: &mut Machine,
+        operator: &Expr,
+        function: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let (Kind::Subscript(letter, direction), Kind::Apply(callee, groups)) =
+            (&operator.kind, &function.kind)
+        else {
+            return None;
+        };
+        let ([direction], [arguments], Kind::Name(letter)) =
+            (direction.as_slice(), groups.as_slice(), &letter.kind)
+        else {
+            return None;
+        };
+        let own = Head::of(direction).filter(|own| own.lower.is_empty() && own.arguments.is_none())?;
+        let known = self.context.visible(letter, &self.place).next().is_some();
+        if letter != "D" || known || !self.is_function(machine, callee) {
+            return None;
+        }
+        let listed = |base: &str| {
+            self.context.visible(base, &self.place).find_map(|(_, definition, _)| match &definition.body {
+                Body::Formula(body) => body.items().map(<[Expr]>::to_vec),
+                Body::Value(_) => None,
+            })
+        };
+        let mut free = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            let Kind::Name(name) = &argument.kind else { return None };
+            free.push(Symbol::new(name));
+        }
+        let member =
+            |i: usize| Kind::Subscript(Box::new(direction.clone()), vec![Expr::int(i as i64)]).into();
+        let given = listed(&own.base);
+        // F(τ), with the coordinates τ_1, τ_2, τ_3
+        if let [point] = free.as_slice() {
+            let count =
+                given.as_ref().or(listed(point.base()).as_ref()).map(Vec::len).filter(|count| *count > 1)?;
+            free = (1..=count as i64).map(|i| point.numbered(i)).collect();
+        }
+        let components = given.unwrap_or_else(|| (1..=free.len()).map(member).collect());
+        if components.len() != free.len() {
+            return Some(Err(unclear("what this direction is", expr)));
+        }
+        self.note("D_d is the derivative in the direction d");
+        let names: Vec<(Symbol, Value)> = free
+            .iter()
+            .filter(|name| name.is_plain())
+            .map(|name| (name.clone(), Value::symbol(name.clone())))
+            .collect();
+        let value = match machine.with_locals(names, |machine| machine.eval(function)) {
+            Ok(Value::Scalar(value)) => value,
+            Ok(_) => return Some(Err(unclear("what is differentiated here", expr))),
+            Err(error) => return Some(Err(error)),
+        };
+        let mut sum = Value::int(0);
+        for (name, component) in free.iter().zip(&components) {
+            let slope = Value::Scalar(nth_derivative(&value, name, 1));
+            let term = machine.eval(component).and_then(|component| arithmetic::multiply(component, slope));
+            sum = match term.and_then(|term| arithmetic::add(sum, term)) {
+                Ok(sum) => sum,
+                Err(error) => return Some(Err(error.at(expr.span))),
+            };
+        }
+        Some(Ok(sum))
     }
 
     /// ∂F/∂u (a, b): the derivative at the function's own variables, then the arguments put in.

@@ -73,6 +73,11 @@ impl Model {
             let after = split(&factors[dots + 1..]);
             return Some(self.dotted(machine, &before, &after, arithmetic::multiply, &Value::int(1), expr));
         }
+        if let [operator, function @ Expr { kind: Kind::Apply(..), .. }] = factors
+            && let Some(found) = self.directional_derivative(machine, operator, function, expr)
+        {
+            return Some(found);
+        }
         let (at, before) = factors
             .windows(2)
             .enumerate()

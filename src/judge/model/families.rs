@@ -2,6 +2,7 @@
 
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign};
+use crate::judge::values::compare;
 use crate::judge::written::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -10,7 +11,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::polar_error;
 use crate::language::value::Value;
 use crate::math::number::integer;
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -61,6 +62,11 @@ impl Model {
             (Family::Triangular, [i, j, k, n], 3) => {
                 self.note(notation.meaning);
                 Some(self.triangular(machine, n, [i, j, k], &scalars?))
+            }
+            // B_{ijk}^n(τ), where τ_1, τ_2, τ_3 are the coordinates of τ
+            (Family::Triangular, [i, j, k, n], 1) => {
+                self.note(notation.meaning);
+                Some(self.triangular(machine, n, [i, j, k], &barycentric(&arguments[0])?))
             }
             (Family::SymmetricMean, [i, n, power @ ..], _) => {
                 let at = scalars?;
@@ -160,6 +166,20 @@ impl Model {
         let Some(knots) = self.knots_between(i, i + order) else { return Ok(Value::int(0)) };
         self.local_spline(&knots, t, expr).map(Value::Scalar)
     }
+}
+
+/// The barycentric coordinates of a point: those that it has, or τ_1, τ_2, τ_3 of an unknown τ.
+fn barycentric(point: &Value) -> Option<Vec<Fraction>> {
+    if let Value::Scalar(formula) = point {
+        let symbols = compare::symbols(point);
+        let [symbol] = symbols.as_slice() else { return None };
+        if !symbol.is_plain() || *formula != Fraction::from(MultiPoly::symbol(symbol.clone())) {
+            return None;
+        }
+        return Some((1..=3).map(|i| Fraction::from(MultiPoly::symbol(symbol.numbered(i)))).collect());
+    }
+    let own = point.clone().coordinates().filter(|own| own.len() == 3)?;
+    own.iter().map(|value| value.as_scalar().cloned()).collect()
 }
 
 /// The value of the Lagrange polynomial with number `i` of nodes.

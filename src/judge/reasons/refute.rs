@@ -17,7 +17,7 @@ use crate::judge::reasons::failure::{
     are_of_parameters, degrees_agree, is_argument, renames_its_letters, visible,
 };
 use crate::judge::values::compare::{self};
-use crate::judge::written::features::{bare_values, has_structure, loose_index};
+use crate::judge::written::features::{bare_values, has_divided_differences, has_structure, loose_index};
 use crate::judge::written::names::{Head, bases, calls, integer_names, is_index_letter, is_range, walk};
 use crate::language::lexicon::families;
 use crate::language::lexicon::letters::is_one_letter;
@@ -419,7 +419,9 @@ pub fn decide(
     if (spoken && first || from_right()) && asserted && generic(&failure.left) && generic(&failure.right) {
         return refuted(failure);
     }
-    if unknown.len() > 1 {
+    // Divided differences of functions, whatever these are
+    let of_any = !sl.is_empty() && sl == sr && has_divided_differences(&[left, right]);
+    if unknown.len() > 1 && !of_any {
         return Decision::Condition(format!(
             "a condition on {}",
             unknown.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(" and ")
@@ -435,14 +437,13 @@ pub fn decide(
             }
             _ => false,
         };
-        let differences = crate::judge::written::features::has_divided_differences(&[left, right]);
         let identity = bare && sums && calls(right, name);
         // "Let F be biaffine. Then F(a + b, c) = F(a, c) + F(b, c)": for whatever F of the class
         let of_class = claimed
             && generic(&failure.left)
             && generic(&failure.right)
             && checker.context.object_of_a_class(name, &statement.place).is_some();
-        if !(identity || of_class || differences && sl == sr && !sl.is_empty()) {
+        if !(identity || of_class || of_any) {
             return Decision::Condition(format!(
                 "a condition on {name}, or it needs to be known what {name} is"
             ));

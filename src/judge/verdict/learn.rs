@@ -130,7 +130,9 @@ impl Checker {
     pub(in crate::judge) fn gives_members(&mut self, chain: &Chain, place: &Place) {
         let [left, right] = chain.sides.as_slice() else { return };
         let (Some(names), Some(values)) = (left.expr.items(), right.expr.items()) else { return };
-        let member = |name: &Expr| Head::of(name).filter(|head| head.index().is_some_and(|index| index.as_int().is_some()));
+        let member = |name: &Expr| {
+            Head::of(name).filter(|head| head.index().is_some_and(|index| index.as_int().is_some()))
+        };
         let heads: Vec<Head> = names.iter().filter_map(member).collect();
         if heads.len() == names.len() && heads.len() == values.len() {
             for (head, value) in heads.into_iter().zip(values) {

@@ -473,7 +473,12 @@ pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
     };
     // The reader makes f[x_0], with one node, a product with a bracket.
     let one = matches!(&second.kind, Kind::Group(inner) if is_node(inner));
-    let before = nodes(first) && name(second) && !combined(second);
+    // [x_0, …, x_n](fg), but in [0, 1](a + b) it may be an interval.
+    let members = |expr: &Expr| match &expr.kind {
+        Kind::List(items) => items.iter().all(|item| is_node(item) || item.kind == Kind::Ellipsis),
+        _ => false,
+    };
+    let before = nodes(first) && name(second) && (!combined(second) || members(first));
     match (name(first) && (nodes(second) || one && !combined(first)), before) {
         (true, _) => Some(false),
         (false, true) => Some(true),
