@@ -3,6 +3,7 @@
 //! **Formula.** κ² = ((x' · x')(x'' · x'') − (x' · x'')²)/(x' · x')³, in any dimension, for any parameter. Which sign the
 //! curvature of a plane curve has depends on who is asked, so that it is its square that is compared.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::meanings::New;
@@ -74,9 +75,31 @@ impl Checker {
         let new = New::of(left, right)?;
         let mut curves = self.curves(&new, right, statement);
         curves.extend(self.curve_by_coordinates(statement));
-        let mut names: Vec<&Expr> = curves.iter().map(|curve| &curve.name).collect();
-        names.dedup_by(|one, other| one.same_as(other));
-        let ([_], Some(curve)) = (names.as_slice(), curves.first()) else { return None };
+        let mut found: Vec<Finding> = Vec::new();
+        for (number, curve) in curves.iter().enumerate() {
+            // One curve may have a name and be known by its points, too.
+            if !curves[..number].iter().any(|other| other.name.same_as(&curve.name)) {
+                found.extend(self.curvature_of(curve, at, right, chain, statement, finding));
+            }
+        }
+        let first = found.pop()?;
+        // Points of two letters may be those of two curves, of which one was not understood.
+        let here =
+            self.rows.iter().filter(|row| !row.letter.is_empty() && statement.place.knows(&row.place, false));
+        let letters: BTreeSet<&String> = here.map(|row| &row.letter).collect();
+        let one = letters.len() < 2 || first.verdict == Verdict::Proved;
+        (one && found.iter().all(|other| other.verdict == first.verdict)).then_some(first)
+    }
+
+    fn curvature_of(
+        &mut self,
+        curve: &Curve,
+        at: &Expr,
+        right: &Expr,
+        chain: &Chain,
+        statement: &Statement,
+        finding: &Finding,
+    ) -> Option<Finding> {
         let derivative = |order| {
             let callee = Kind::Prime(Box::new(curve.name.clone()), order).into();
             Expr::from(Kind::Apply(Box::new(callee), vec![vec![at.clone()]]))

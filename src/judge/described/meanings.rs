@@ -378,8 +378,11 @@ impl Checker {
             let part = topics.has(Topic::Subdivision) || topics.has(Topic::Half);
             if named && curve.object.is_none() && !curve.segment && !part {
                 let part = self.interval_heard(&curve, &statement.place);
-                let (from, to) = part.unwrap_or_else(|| curve.interval.clone());
-                add(Made::Part(from, to));
+                // Numbers that nobody claims are data of another curve.
+                if statement.role == Some(Role::Claimed) || !bases(right).is_empty() {
+                    let (from, to) = part.unwrap_or_else(|| curve.interval.clone());
+                    add(Made::Part(from, to));
+                }
             }
             if curve.segment {
                 add(Made::Part(curve.interval.0.clone(), curve.interval.1.clone()));
