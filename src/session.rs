@@ -217,6 +217,9 @@ impl Session {
                 return Err(fail(problem));
             }
             let part = Span::new(whole.start, whole.start + formula.len());
+            if let Some(problem) = self.lacks_value(formula, Span::new(part.end, part.end + 1)) {
+                return Err(fail(problem));
+            }
             if let Ok(statement) = self.read(file, part)
                 && let Some(answers) = self.run_data(file, &statement, true)?
             {

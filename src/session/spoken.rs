@@ -67,6 +67,14 @@ impl Session {
         self.spoken_as(file, whole, topic, topic.is_some())
     }
 
+    /// What is wrong with "derivative of t^3 at t =", of which the text before the sign is given.
+    pub(super) fn lacks_value(&self, text: &str, sign: Span) -> Option<Diagnostic> {
+        let known = |word: &str| defines(&self.env, word);
+        let name = syntax::place_without_value(text, &known, &function_in_words)?;
+        let problem = Diagnostic::error(Code::Usage, "nothing stands after '='").at(sign);
+        Some(problem.hint(format!("write the value of {name} there: {name} = 1/2")))
+    }
+
     fn spoken_as(
         &self,
         file: &SourceFile,

@@ -158,7 +158,9 @@ impl Machine {
         }
         Ok(match self.callee(callee)? {
             Callee::Value(scalar @ Value::Scalar(_)) => {
-                self.is_no_lone_call(callee, &groups[0][0])?;
+                if !self.is_item(callee) {
+                    self.is_no_lone_call(callee, &groups[0][0])?;
+                }
                 let before = self.notes.len();
                 let value = self.value_of_result(&scalar, callee, &groups[0][0], expr.span)?;
                 self.notes.truncate(before);
@@ -211,7 +213,9 @@ impl Machine {
         if matches!(scalar, Value::List(_)) && self.reading.is_none() {
             return Err(super::entries::list_called(callee.span));
         }
-        self.is_no_lone_call(callee, factor)?;
+        if !self.is_item(callee) {
+            self.is_no_lone_call(callee, factor)?;
+        }
         if let Some(value) = self.value_of_result(&scalar, callee, factor, span)? {
             return Ok(value);
         }

@@ -81,7 +81,9 @@ impl Machine {
     ) -> Result<Option<Value>, Diagnostic> {
         let Some(formula) = value.as_scalar().filter(|_| self.reading.is_none()) else { return Ok(None) };
         let function = self.called_function(callee);
-        if function.is_none() && !self.is_computed(callee) {
+        // lagrange_basis([0, 1, 2])[1](2)
+        let item = self.is_item(callee);
+        if function.is_none() && !item && !self.is_computed(callee) {
             return Ok(None);
         }
         let alone = matches!(argument.kind, Kind::Name(_) | Kind::Subscript(..)) || is_numeric(argument);
@@ -94,7 +96,10 @@ impl Machine {
         if formula.as_rational().is_some() {
             // lagrange([0, 1], [5, 5])(2): a function that happens to be constant.
             if !function.is_some_and(|function| function.gives_function()) {
-                return Ok(None);
+                return match item && alone && name_of(callee, self).is_some() {
+                    true => Err(ambiguous("this item of the list is constant".to_owned()).hint(product)),
+                    false => Ok(None),
+                };
             }
             if !alone {
                 return Err(ambiguous("the result is constant".to_owned()).hint(product));
@@ -108,7 +113,7 @@ impl Machine {
         if !is_parameter(&variable) || !formula.variables().contains(&variable) {
             return Ok(None);
         }
-        if !alone && function.is_some() {
+        if !alone && (function.is_some() || item) {
             return Err(ambiguous(format!("the result is a formula in {variable}"))
                 .hint(format!("write subs(..., {variable}=...) for the value"))
                 .hint(format!("or {product}")));
@@ -149,6 +154,15 @@ impl Machine {
             Kind::Group(inner) => derivative(self, inner),
             Kind::Big { .. } | Kind::Integral { .. } | Kind::Compose(_) => true,
             _ => derivative(self, expr),
+        }
+    }
+
+    /// Whether an expression is an item of a list: p_1 and p[1] of a list p, bernstein(2)[1].
+    pub(super) fn is_item(&mut self, expr: &Expr) -> bool {
+        let Kind::Subscript(base, _) = &expr.kind else { return false };
+        match name_of(base, self) {
+            Some(name) => matches!(self.lookup(&name), Some(Value::List(_))),
+            None => matches!(base.kind, Kind::Apply(..) | Kind::List(_)),
         }
     }
 

@@ -42,7 +42,9 @@ pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{congruence, is_special, reach_of_mod, special_call};
 pub(crate) use pieces::{is_aside, is_title, without_text_commands};
 pub(crate) use sentence::{Sentence, conditions_in as conditions, sentence};
-pub(crate) use spoken::{Asked, Call, Count, Request, Said, Total, What, family_index, loosely, request};
+pub(crate) use spoken::{
+    Asked, Call, Count, Request, Said, Total, What, family_index, loosely, place_without_value, request,
+};
 pub use token::MAX_TOKENS;
 pub(crate) use unknown::{Unknown, unknown};
 

@@ -128,6 +128,22 @@ pub(crate) fn request(
     (reader.at == reader.parts.len()).then_some(asked)
 }
 
+/// The name whose value is missing at the end of a text: t in "derivative of t^3 at t", which "=" follows.
+pub(crate) fn place_without_value<'a>(
+    text: &'a str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Option<&'a str> {
+    let name = text.split_whitespace().next_back()?;
+    if !may_have_words(text) || !name.chars().all(char::is_alphabetic) || name.chars().nth(1).is_some() {
+        return None;
+    }
+    let parts = parts(text, known, function);
+    let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At), _));
+    matches!(parts.as_slice(), [.., label, Part::Piece(span)] if at(label) && text.piece(span.range()).trim() == name)
+        .then_some(name)
+}
+
 /// A text without asides in brackets, and its parts, if their words are known and ask for something.
 fn prepared(
     text: &str,
