@@ -10,7 +10,7 @@ use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Curve, Place};
 use crate::judge::written::names::{
     Head, base_of, bases, calls, capital_of, has_members, integer_names, is_capital, is_index_letter,
-    is_range, polar_names, primed, walk,
+    is_range, polar_names, primed, underived, walk,
 };
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::words::is_function_word;
@@ -299,7 +299,7 @@ impl Checker {
                     && (of_known()
                         || curve.is_some()
                         || right.contains(&capital) && !has_members(body, std::slice::from_ref(&capital))
-                        || calls(body, &head.base))
+                        || calls_itself(body, &head.base))
                     || count == 1 && of_known();
             }
             return function && of_known();
@@ -307,7 +307,8 @@ impl Checker {
         // F(t) = f(t, …, t), F(t) = Σ F^{(i)}(τ) …
         head.arguments.is_some()
             && polar_names(&head.base).any(|name| {
-                calls_plain(body, &name) && self.context.letters.is_function(&name) || calls(body, &head.base)
+                calls_plain(body, &name) && self.context.letters.is_function(&name)
+                    || calls_itself(body, &head.base)
             })
     }
 
@@ -520,6 +521,16 @@ impl Checker {
             })
         })
     }
+}
+
+/// Whether a function or one of its derivatives is called: F(t), F'(t), F^{(i)}(t), but no B_i^n(t) for a B.
+fn calls_itself(expr: &Expr, base: &str) -> bool {
+    expr.has(&|part| match &part.kind {
+        Kind::Apply(callee, _) => Head::of(underived(callee)).is_some_and(|head| {
+            head.base == base && head.lower.is_empty() && (head.upper.is_empty() || head.parenthesized)
+        }),
+        _ => false,
+    })
 }
 
 /// Whether a letter without indices is called in a formula.
