@@ -361,8 +361,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("infinie", Filler),
     ("infinies", Filler),
     ("bi-infinie", Filler),
-    ("finie", Filler),
-    ("finies", Filler),
     ("deux à deux distincts", Filler),
     ("deux à deux différents", Filler),
     ("quelconques", Filler),

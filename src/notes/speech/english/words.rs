@@ -323,7 +323,6 @@ pub const WORDS: &[(&str, Word)] = &[
     ("bi-infinite", Filler),
     ("biinfinite", Filler),
     ("doubly infinite", Filler),
-    ("finite", Filler),
     ("pairwise distinct", Filler),
     ("pairwise different", Filler),
     ("mutually distinct", Filler),

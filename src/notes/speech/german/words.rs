@@ -269,8 +269,6 @@ pub const WORDS: &[(&str, Word)] = &[
     ("unendlichen", Filler),
     ("biinfinite", Filler),
     ("biinfiniten", Filler),
-    ("endliche", Filler),
-    ("endlichen", Filler),
     ("paarweise verschiedene", Filler),
     ("paarweise verschiedenen", Filler),
     ("paarweise verschiedener", Filler),
