@@ -234,11 +234,17 @@ fn variable_of(chain: &Chain) -> Option<Expr> {
     })
 }
 
-/// Whether what follows explains the formula before: "where", but not "for".
+/// Whether what follows explains the formula before: "where", but not "for". "With" does so within a sentence; at its start it
+/// begins a case.
 fn looks_back(gap: &str) -> bool {
-    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim().to_lowercase();
+    let sentence = gap.contains(['.', '。', '!', '?']);
+    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim();
+    let begins = sentence || gap.starts_with(char::is_uppercase);
+    let gap = gap.to_lowercase();
     let chinese = ["其中", "这里"].iter().any(|word| gap.starts_with(word) && gap.chars().count() <= 8);
-    chinese || ["where", "with", "wo", "wobei", "mit", "où", "avec"].contains(&gap.as_str())
+    chinese
+        || ["where", "wo", "wobei", "où"].contains(&gap.as_str())
+        || !begins && ["with", "mit", "avec"].contains(&gap.as_str())
 }
 
 /// "where v_i = p_i − q_i" after a formula is known in it: such definitions go before it.
