@@ -286,8 +286,9 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let (mut role, _) = role_of(statement);
         if let Said::Chain(chain) = &mut statement.said {
             // "It vanishes for all t, so w = 1": of w nothing is said for all values.
-            let of_all = chain.sides.iter().any(|side| !bases(&side.expr).is_disjoint(&quantified));
-            chain.universal = of_all || role == Some(Role::Always);
+            let used: BTreeSet<String> = chain.sides.iter().flat_map(|side| bases(&side.expr)).collect();
+            chain.quantified = used.intersection(&quantified).cloned().collect();
+            chain.universal = !chain.quantified.is_empty() || role == Some(Role::Always);
         }
         role = match role {
             Some(Role::Always) => Some(Role::Claimed),

@@ -48,6 +48,8 @@ pub struct Trial<'a> {
     pub relations: Vec<Rel>,
     /// Conditions said with the chain.
     pub conditions: &'a [Expr],
+    /// Names of which it speaks for all values.
+    quantified: &'a [String],
     /// What it may rest on.
     pub facts: Rc<Facts>,
     /// What is known.
@@ -87,6 +89,7 @@ impl<'a> Trial<'a> {
             sides,
             relations,
             conditions: &setting.chain.conditions,
+            quantified: &setting.chain.quantified,
             facts: setting.facts.clone(),
             context,
             place: setting.place,
@@ -249,9 +252,10 @@ impl<'a> Trial<'a> {
     }
 
     /// The variables of the function on the left: in F(u) = … the name u stands for itself, whatever
-    /// it meant before.
+    /// it meant before. So does what is said of all u.
     fn variables(&self) -> Vec<String> {
-        let mut found = Vec::new();
+        let real = |name: &&String| !is_index_letter(name) && !self.context.letters.is_function(name);
+        let mut found: Vec<String> = self.quantified.iter().filter(real).cloned().collect();
         if let Some(Kind::Apply(_, groups)) = self.sides.first().map(|side| &side.kind) {
             for argument in groups.iter().flatten() {
                 if let Kind::Name(name) = &argument.kind

@@ -371,7 +371,10 @@ impl Context {
         });
         let (close, far): (Vec<usize>, Vec<usize>) =
             alive.copied().partition(|&number| place.sees(&self.definitions[number].place));
-        let mut found: Vec<(usize, bool)> = close.into_iter().map(|number| (number, true)).collect();
+        let close = close
+            .into_iter()
+            .filter(|&number| !self.is_any_since(base, &self.definitions[number].place, place));
+        let mut found: Vec<(usize, bool)> = close.map(|number| (number, true)).collect();
         let far = far.into_iter().filter(|&number| {
             let definition = &self.definitions[number];
             matches!(definition.body, Body::Formula(_))

@@ -112,6 +112,8 @@ pub struct Object {
     pub natural: bool,
     /// Whether its paragraph as a whole says it, and only for itself.
     pub local: bool,
+    /// Whether it may be any of its sort from there on: let p be a polynomial.
+    pub any: bool,
 }
 
 impl Object {
@@ -140,6 +142,7 @@ impl Object {
             data: Vec::new(),
             natural: false,
             local: false,
+            any: false,
         }
     }
 
@@ -203,7 +206,7 @@ impl Object {
 
     /// Whether nothing is said of it but its name and sort.
     pub fn is_bare(&self) -> bool {
-        *self == Object { names: self.names.clone(), ..Object::new(self.sort.clone()) }
+        *self == Object { names: self.names.clone(), any: self.any, ..Object::new(self.sort.clone()) }
     }
 
     /// Whether words say values that it has.
@@ -348,6 +351,18 @@ impl Context {
             other.formula > since.formula && (place.sees(other) || between)
         };
         self.objects_of(base).any(|declared| anew(&declared.place))
+    }
+
+    /// Whether words of a later paragraph of this section let a function be any of its sort: the formula of an example is no
+    /// longer that of p after "let p be a polynomial of degree n".
+    pub fn is_any_since(&self, base: &str, since: &Place, place: &Place) -> bool {
+        self.objects_of(base).any(|declared| {
+            let own = &declared.place;
+            declared.object.any
+                && own.formula > since.formula
+                && own.group > since.group
+                && place.knows(own, false)
+        })
     }
 
     /// The names in formulas, and those that the definitions and objects of these lead to.

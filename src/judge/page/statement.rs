@@ -164,6 +164,8 @@ pub struct Chain {
     pub partial: bool,
     /// Whether it is claimed for all values of its variables.
     pub universal: bool,
+    /// Names of which its sentence speaks for all values, whatever they were before.
+    pub quantified: Vec<String>,
     /// Whether a condition beside it could not be read.
     pub blocked: bool,
     /// Names of which its sentence says that they exist: no instance refutes what is claimed of them.
@@ -182,6 +184,7 @@ impl Chain {
             given: false,
             partial: false,
             universal: false,
+            quantified: Vec::new(),
             blocked: false,
             exists: Vec::new(),
             problems: Vec::new(),

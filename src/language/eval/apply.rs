@@ -158,9 +158,7 @@ impl Machine {
         }
         Ok(match self.callee(callee)? {
             Callee::Value(scalar @ Value::Scalar(_)) => {
-                if !self.is_item(callee) {
-                    self.is_no_lone_call(callee, &groups[0][0])?;
-                }
+                self.is_no_lone_call(callee, &groups[0][0])?;
                 let before = self.notes.len();
                 let value = self.value_of_result(&scalar, callee, &groups[0][0], expr.span)?;
                 self.notes.truncate(before);
@@ -213,9 +211,7 @@ impl Machine {
         if matches!(scalar, Value::List(_)) && self.reading.is_none() {
             return Err(super::entries::list_called(callee.span));
         }
-        if !self.is_item(callee) {
-            self.is_no_lone_call(callee, factor)?;
-        }
+        self.is_no_lone_call(callee, factor)?;
         if let Some(value) = self.value_of_result(&scalar, callee, factor, span)? {
             return Ok(value);
         }
@@ -226,10 +222,10 @@ impl Machine {
         arithmetic::multiply(scalar, factor_value).at(span)
     }
 
-    /// Refuses p(t), p(2) and p([1, 2]) for a p without a value: around one name, number or list, parentheses
-    /// group nothing, so they were meant as a call.
+    /// Refuses p(t), p(2) and p([1, 2]) for a p without a value: these parentheses group nothing, so they mean a call.
     pub(super) fn is_no_lone_call(&mut self, callee: &Expr, inside: &Expr) -> Result<(), Diagnostic> {
         if self.reading.is_some()
+            || self.is_item(callee)
             || !(matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::List(_) | Kind::Tuple(_))
                 || is_number(inside))
         {

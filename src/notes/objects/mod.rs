@@ -548,11 +548,19 @@ impl<'a> Reader<'a> {
         if object.sort == Sort::ControlPoints {
             self.talk.points = object.of.clone();
         }
+        let plain = object.of.is_none() && !object.determines() && !object.has_data();
+        object.any = !same && !definite && plain && object.is_function() && self.follows_let(number);
         // "The blossom f of a cubic": what may be spoken of again
         if let (Some(owner), None) = (owner, &object.of) {
             self.owned_by(owner, &object, from);
         }
         self.found.entry(number).or_default().push(object);
+    }
+
+    /// Whether "let" stands before a formula.
+    fn follows_let(&self, number: usize) -> bool {
+        let at = self.tokens.iter().position(|token| matches!(token, Token::Formula(own) if *own == number));
+        at.is_some_and(|at| (at.saturating_sub(2)..at).any(|before| self.is(before, &Word::Let)))
     }
 
     /// "Of degree n", "k is the order": which letter a size is.
