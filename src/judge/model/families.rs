@@ -1,5 +1,6 @@
 //! Families with a standard meaning: Bernstein polynomials, elementary symmetric means, B-splines.
 
+use super::calls::variable;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign};
 use crate::judge::values::compare;
@@ -11,7 +12,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::polar_error;
 use crate::language::value::Value;
 use crate::math::number::integer;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -170,13 +171,11 @@ impl Model {
 
 /// The barycentric coordinates of a point: those that it has, or τ_1, τ_2, τ_3 of an unknown τ.
 fn barycentric(point: &Value) -> Option<Vec<Fraction>> {
-    if let Value::Scalar(formula) = point {
+    if let Value::Scalar(_) = point {
         let symbols = compare::symbols(point);
         let [symbol] = symbols.as_slice() else { return None };
-        if !symbol.is_plain() || *formula != Fraction::from(MultiPoly::symbol(symbol.clone())) {
-            return None;
-        }
-        return Some((1..=3).map(|i| Fraction::from(MultiPoly::symbol(symbol.numbered(i)))).collect());
+        let unknown = symbol.is_plain() && *point == Value::symbol(symbol.clone());
+        return unknown.then(|| (1..=3).map(|i| variable(symbol.numbered(i))).collect());
     }
     let own = point.clone().coordinates().filter(|own| own.len() == 3)?;
     own.iter().map(|value| value.as_scalar().cloned()).collect()

@@ -149,12 +149,13 @@ pub(super) const LINE: Parameter = required(
 )
 .shown("c");
 
-/// A spline, called s in the form.
 /// The first of two curves that meet.
 pub(super) const FIRST_CURVE: Parameter = required("c", Takes::Curve, "the first curve");
 
+/// The second of two curves that meet.
 pub(super) const SECOND_CURVE: Parameter = required("d", Takes::Curve, "the second curve");
 
+/// A spline, called s in the form.
 pub(super) const SPLINE: Parameter = required("spline", Takes::Spline, "the spline").shown("s");
 
 /// A surface, called s in the form.
