@@ -10,6 +10,7 @@ mod derivation;
 mod implied;
 mod marks;
 mod operators;
+mod rivals;
 
 use std::rc::Rc;
 
@@ -32,7 +33,9 @@ const ASKED: &str = "asked for, not claimed";
 impl Checker {
     /// Judges the next statement, or takes in what it defines.
     pub fn statement(&mut self, statement: &Statement) {
+        let first = self.findings.len();
         self.take_in(statement);
+        self.note_senses(statement, first);
         match &statement.said {
             Said::Chain(chain) => self.seen.extend(chain.sides.iter().flat_map(|side| bases(&side.expr))),
             Said::Condition(side) | Said::Bare(side, _) => self.seen.extend(bases(&side.expr)),
@@ -48,6 +51,7 @@ impl Checker {
     pub fn conclude(&mut self) {
         self.finish();
         self.by_rows();
+        self.hear_appeals();
     }
 
     fn take_in(&mut self, statement: &Statement) {
@@ -146,6 +150,7 @@ impl Checker {
                 }
                 match self.judged(chain, statement, before) {
                     Ok(mut findings) => {
+                        self.note_appeal(chain, statement, before, &findings);
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
                         self.remember_law(chain, &statement.place, &findings);

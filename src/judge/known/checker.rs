@@ -8,6 +8,7 @@ use crate::budget::Limits;
 use crate::formula::Expr;
 use crate::formula::source::{SourceFile, Span};
 use crate::judge::known::found::{Agreement, Row, Scheme, Taken, Use};
+use crate::judge::known::senses::{Appeal, Sense};
 use crate::judge::known::unread::Unread;
 use crate::judge::model::Ambiguity;
 use crate::judge::page::context::{Body, Condition, Context, Definition, Mark, Source};
@@ -53,6 +54,10 @@ pub struct Checker {
     pub(in crate::judge) laws: Vec<(String, Place, usize)>,
     /// What was known before the statement that is judged.
     pub(in crate::judge) before: Mark,
+    /// All that was said of what names mean.
+    pub(in crate::judge) senses: Vec<Sense>,
+    /// What may be taken back in the end.
+    pub(in crate::judge) appeals: Vec<Appeal>,
     /// Whether a repair is judged, for which no other is looked for.
     pub(in crate::judge) confirming: bool,
     /// What was found so far, one finding for each relation.
@@ -84,6 +89,8 @@ impl Checker {
             operators: BTreeSet::new(),
             laws: Vec::new(),
             before: Mark::default(),
+            senses: Vec::new(),
+            appeals: Vec::new(),
             confirming: false,
             findings: Vec::new(),
             problems: Vec::new(),

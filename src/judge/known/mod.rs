@@ -9,6 +9,7 @@ mod contact;
 pub(super) mod found;
 pub(super) mod meaning;
 mod objects;
+pub(super) mod senses;
 mod setting;
 pub(super) mod unfold;
 pub(super) mod unread;

@@ -1,0 +1,48 @@
+//! What a page says that its names mean, all of it, for formulas that fail with the meaning that they were given.
+
+use std::rc::Rc;
+
+use crate::formula::Expr;
+use crate::judge::page::context::Context;
+use crate::judge::page::object::Object;
+use crate::judge::page::statement::{Chain, Statement};
+use crate::judge::written::names::Head;
+
+/// A formula of which a relation was refuted, with what was known before it.
+#[derive(Clone)]
+pub(in crate::judge) struct Appeal {
+    /// The number of its first finding.
+    pub(in crate::judge) first: usize,
+    pub(in crate::judge) chain: Chain,
+    pub(in crate::judge) statement: Statement,
+    pub(in crate::judge) known: Rc<Context>,
+}
+
+/// What a page says that a name means.
+#[derive(Clone)]
+pub(in crate::judge) struct Sense {
+    pub(in crate::judge) means: Means,
+    pub(in crate::judge) paragraph: u32,
+    pub(in crate::judge) formula: usize,
+    /// The finding that says it, if one does.
+    pub(in crate::judge) finding: Option<usize>,
+}
+
+/// The same, without its place.
+#[derive(Clone)]
+pub(in crate::judge) enum Means {
+    Formula(Head, Expr),
+    Object(Rc<Object>),
+}
+
+impl Sense {
+    /// The letters that it gives a meaning.
+    pub(in crate::judge) fn bases(&self) -> Vec<String> {
+        match &self.means {
+            Means::Formula(head, _) => vec![head.base.clone()],
+            Means::Object(object) => {
+                object.names.iter().filter_map(Head::of).map(|head| head.base).collect()
+            }
+        }
+    }
+}
