@@ -19,6 +19,7 @@ mod page;
 mod primes;
 pub mod report;
 mod sentence;
+mod spare;
 mod speech;
 mod statement;
 mod triangles;

@@ -12,6 +12,7 @@ use super::items::{regrouped, with_alternatives};
 use super::objects;
 use super::primes;
 use super::sentence;
+use super::spare;
 use super::speech::{self, Block};
 use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
@@ -65,6 +66,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     count_new_values(&mut statements);
     attach(&mut statements);
     objects::insert(&sentences, &mut statements);
+    spare::count(&sentences, &mut statements);
     statements
 }
 

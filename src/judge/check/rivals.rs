@@ -7,18 +7,28 @@
 use std::rc::Rc;
 
 use crate::budget::Limits;
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Link, Rel, interval};
+use crate::judge::described::meanings::New;
 use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
 use crate::judge::known::senses::{Appeal, Means, Sense};
 use crate::judge::page::context::{Body, Mark, Source, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
+use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Said, Statement};
-use crate::judge::written::names::bases;
+use crate::judge::values::evaluator;
+use crate::judge::written::names::{Head, bases, underived};
 
 /// So many other meanings are tried for one formula.
 const TRIES: usize = 24;
+
+/// Other meanings of some names.
+struct Rival {
+    /// What they are, in words.
+    what: String,
+    means: Vec<Means>,
+}
 
 /// x = a, f(t) = t^2: a name, and what it is said to be.
 fn equation(left: &Expr, rel: Rel, right: &Expr) -> Option<Means> {
@@ -37,10 +47,35 @@ fn equations(expr: &Expr) -> Vec<Means> {
     }
 }
 
+fn interval_between(from: &Expr, to: &Expr) -> Option<Means> {
+    (evaluator::number(from)? < evaluator::number(to)?).then(|| Means::Interval(from.clone(), to.clone()))
+}
+
+/// [0, 2], 0 ≤ t ≤ 2, t ∈ [0, 2]
+fn ends(expr: &Expr) -> Option<Means> {
+    if let Some(([from, to], _)) = interval(expr) {
+        return interval_between(from, to);
+    }
+    let Kind::Chain(left, links) = &expr.kind else { return None };
+    match links.as_slice() {
+        [Link { rel: Rel::In, expr, .. }] => ends(expr),
+        [Link { rel: Rel::Le | Rel::Lt, .. }, Link { rel: Rel::Le | Rel::Lt, expr, .. }] => {
+            interval_between(left, expr)
+        }
+        _ => None,
+    }
+}
+
+/// 1, 2, 1
+fn list(expr: &Expr) -> Option<Means> {
+    let items = expr.items().filter(|items| items.len() > 1 && items.iter().all(|item| bases(item).is_empty()))?;
+    Some(Means::List(items.to_vec()))
+}
+
 impl Checker {
     /// Keeps what a statement says that names mean; `first` is the number of its first finding.
     pub(in crate::judge) fn note_senses(&mut self, statement: &Statement, first: usize) {
-        let (means, finding) = match &statement.said {
+        let (mut means, finding) = match &statement.said {
             Said::Chain(chain) => {
                 let [left, right, ..] = chain.sides.as_slice() else { return };
                 let read = !left.is_unread() && !right.is_unread();
@@ -48,12 +83,28 @@ impl Checker {
                 let means = own.into_iter().chain(chain.conditions.iter().flat_map(equations)).collect();
                 (means, Some(first))
             }
-            Said::Condition(side) => (equations(&side.expr), None),
+            Said::Condition(side) => {
+                (equations(&side.expr).into_iter().chain(ends(&side.expr)).collect(), None)
+            }
             Said::Object(object) if object.has_values() => {
                 (vec![Means::Object(Rc::new(object.as_ref().clone()))], None)
             }
+            Said::Bare(side, _) => (ends(&side.expr).or_else(|| list(&side.expr)).into_iter().collect(), None),
             _ => return,
         };
+        // "from 0 to 2", "t_0 = 1, t_1 = 3"
+        let number = match &statement.said {
+            Said::Bare(side, _) => Some(&side.expr),
+            Said::Chain(chain) => chain.sides.get(1).map(|side| &side.expr),
+            _ => None,
+        };
+        let number = number.filter(|expr| evaluator::number(expr).is_some()).cloned();
+        if let Some(to) = &number
+            && let Some(from) = self.last_number.take()
+        {
+            means.extend(interval_between(&from, to));
+        }
+        self.last_number = number;
         let (paragraph, formula) = (statement.place.group, statement.place.formula);
         let new = means.into_iter().map(|means| Sense { means, paragraph, formula, finding });
         self.senses.extend(new);
@@ -94,16 +145,17 @@ impl Checker {
             if !refuted(self) {
                 continue;
             }
-            for rival in self.rivals(&appeal, &senses) {
-                let Some(findings) = self.judged_with(&appeal, &rival) else { continue };
+            let rivals = self.rivals(&appeal, &senses).into_iter().chain(self.other_curves(&appeal, &senses));
+            for rival in rivals {
+                let Some(findings) = self.judged_with(&appeal, &rival.means) else { continue };
+                let reason = format!("it holds with {} of the page: which one is meant?", rival.what);
                 for (at, found) in findings.iter().enumerate() {
                     let own = &mut self.findings[appeal.first + at];
                     let holds = matches!(found.verdict, Verdict::Proved | Verdict::Sampled);
                     if own.verdict == Verdict::Refuted && holds {
-                        let name = rival[0].bases().into_iter().next().unwrap_or_default();
                         *own = Finding {
                             verdict: Verdict::Undecided,
-                            reason: Some(format!("it holds with another {name} of the page: which one is meant?")),
+                            reason: Some(reason.clone()),
                             witness: None,
                             suggestion: None,
                             evidence: Vec::new(),
@@ -118,50 +170,81 @@ impl Checker {
         }
     }
 
-    /// Other senses of the names of a formula, alone and with those of their paragraph.
-    fn rivals<'a>(&self, appeal: &Appeal, senses: &'a [Sense]) -> Vec<Vec<&'a Sense>> {
-        let Appeal { chain, statement, known, first, .. } = appeal;
+    /// Other meanings of the names of a formula, alone and with those of their paragraph.
+    fn rivals(&self, appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
+        let Appeal { chain, statement, known, first } = appeal;
         let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
-        let reached = known.reached(&sides, &statement.place);
+        let place = &statement.place;
+        let reached = known.reached(&sides, place);
         let own = *first..*first + chain.relations.len();
         let is_rival = |sense: &Sense| {
-            let elsewhere = !sense.finding.is_some_and(|finding| own.contains(&finding));
-            let refuted = sense.finding.is_some_and(|finding| {
+            let refuted = |finding: usize| {
                 self.findings.get(finding).is_some_and(|finding| finding.verdict == Verdict::Refuted)
-            });
+            };
             let other = match &sense.means {
                 Means::Formula(head, body) => {
-                    let whole = head.flat().iter().any(|argument| {
-                        matches!(&argument.kind, Kind::Name(name) if is_variable(name))
-                    });
-                    let said = sides.iter().any(|side| side.same_as(body));
+                    let whole = head
+                        .flat()
+                        .iter()
+                        .any(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
                     let valued = || {
-                        known.visible(&head.base, &statement.place).next().is_some()
-                            || known.object_called(&head.base, &statement.place).is_some()
+                        known.visible(&head.base, place).next().is_some()
+                            || known.object_called(&head.base, place).is_some()
                             || known
-                                .values_heard(|place| place.group == statement.place.group)
+                                .values_heard(|other| other.group == place.group)
                                 .any(|(name, _)| name == head.base)
                     };
-                    (!refuted || whole) && !said && valued()
+                    (whole || !sense.finding.is_some_and(refuted))
+                        && !sides.iter().any(|side| side.same_as(body))
+                        && valued()
                 }
                 Means::Object(_) => true,
+                Means::List(_) | Means::Interval(..) => false,
             };
+            let elsewhere = !sense.finding.is_some_and(|finding| own.contains(&finding));
             elsewhere && other && sense.bases().iter().any(|base| reached.contains(base))
         };
         let all: Vec<&Sense> = senses.iter().filter(|sense| is_rival(sense)).collect();
-        let distance = |sense: &Sense| sense.formula.abs_diff(statement.place.formula);
-        let mut alone: Vec<Vec<&Sense>> = all.iter().map(|one| vec![*one]).collect();
-        alone.sort_by_key(|one| distance(one[0]));
-        let mut together: Vec<Vec<&Sense>> =
-            all.chunk_by(|a, b| a.paragraph == b.paragraph).filter(|all| all.len() > 1).map(<[_]>::to_vec).collect();
-        together.sort_by_key(|all| distance(all[0]));
+        let distance = |senses: &[&Sense]| senses[0].formula.abs_diff(place.formula);
+        let mut alone: Vec<&[&Sense]> = all.chunks(1).collect();
+        alone.sort_by_key(|one| distance(one));
+        let paragraphs = all.chunk_by(|a, b| a.paragraph == b.paragraph);
+        let mut together: Vec<&[&Sense]> = paragraphs.filter(|all| all.len() > 1).collect();
+        together.sort_by_key(|all| distance(all));
         together.truncate(TRIES / 3);
         alone.truncate(TRIES - together.len());
-        alone.into_iter().chain(together).collect()
+        let rival = |senses: &[&Sense]| Rival {
+            what: format!("another {}", senses[0].bases().first().map_or("", String::as_str)),
+            means: senses.iter().map(|sense| sense.means.clone()).collect(),
+        };
+        alone.into_iter().chain(together).map(rival).collect()
     }
 
-    /// What would be found with other senses.
-    fn judged_with(&mut self, appeal: &Appeal, rival: &[&Sense]) -> Option<Vec<Finding>> {
+    /// The curve of which a value is given, with other points or weights or over another interval that the page names.
+    fn other_curves(&self, appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
+        let Appeal { chain, statement, known, .. } = appeal;
+        let here = Checker { context: known.clone(), ..self.clone() };
+        let mut found = Vec::new();
+        for sides in chain.sides.windows(2) {
+            let (left, right) = (&sides[0].expr, &sides[1].expr);
+            let Kind::Apply(callee, _) = &left.kind else { continue };
+            let Some(name) = Head::of(underived(callee)) else { continue };
+            let told = known.object_called(&name.base, &statement.place).map(|told| &*told.object);
+            let told = told.filter(|object| !object.points.is_empty()).cloned();
+            let others = || New::of(left, right).map(|new| here.curves(&new, right, statement)).unwrap_or_default();
+            let others = || others().into_iter().filter_map(|curve| curve.object);
+            for object in told.map_or_else(|| others().collect(), |own| vec![own]) {
+                let names = vec![underived(callee).clone()];
+                let object = Object { names, of: None, ..object };
+                found.extend(senses.iter().filter_map(|sense| otherwise(&object, sense)));
+            }
+        }
+        found.truncate(TRIES);
+        found
+    }
+
+    /// What would be found with other meanings.
+    fn judged_with(&self, appeal: &Appeal, means: &[Means]) -> Option<Vec<Finding>> {
         let Appeal { chain, statement, known, .. } = appeal;
         let mut other = Checker {
             context: known.clone(),
@@ -169,17 +252,34 @@ impl Checker {
             confirming: true,
             ..self.clone()
         };
-        for sense in rival {
-            match &sense.means {
+        for means in means {
+            match means {
                 Means::Formula(head, body) => {
                     let (head, body) = (head.clone(), Body::Formula(body.clone()));
                     other.define_by(Source::Given, head, body, &[], &statement.place, chain.whole().span);
                 }
                 Means::Object(object) => other.object(object, &statement.place),
+                Means::List(_) | Means::Interval(..) => {}
             }
         }
         let before = other.context.mark();
         other.before = before;
         other.judged(chain, statement, before).ok()
+    }
+}
+
+/// A curve with points or weights that a page lists, or over an interval that it names.
+fn otherwise(object: &Object, sense: &Sense) -> Option<Rival> {
+    let own = |what: &str, object: Object| {
+        Some(Rival { what: what.to_owned(), means: vec![Means::Object(Rc::new(object))] })
+    };
+    match &sense.means {
+        Means::Interval(from, to) => {
+            own("another interval", Object { interval: Some((from.clone(), to.clone())), ..object.clone() })
+        }
+        Means::List(items) if items.len() == object.points.len() && items[0].items().is_none() => {
+            own("the weights", Object { weights: items.clone(), ..object.clone() })
+        }
+        _ => None,
     }
 }

@@ -49,7 +49,7 @@ pub(in crate::judge) struct New {
 }
 
 impl New {
-    pub(super) fn of(left: &Expr, right: &Expr) -> Option<New> {
+    pub(in crate::judge) fn of(left: &Expr, right: &Expr) -> Option<New> {
         let items = |expr: &Expr| match &expr.kind {
             Kind::Matrix(rows, _) if rows.len() > 2 && rows.iter().all(|row| row.len() == 1) => {
                 rows.iter().map(|row| row[0].clone()).collect()

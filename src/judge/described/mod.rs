@@ -9,5 +9,5 @@ mod de_casteljau;
 mod derived;
 mod facts;
 mod insertion;
-mod meanings;
+pub(in crate::judge) mod meanings;
 mod tables;

@@ -56,6 +56,8 @@ pub struct Checker {
     pub(in crate::judge) before: Mark,
     /// All that was said of what names mean.
     pub(in crate::judge) senses: Vec<Sense>,
+    /// The number that the last formula is or gives.
+    pub(in crate::judge) last_number: Option<Expr>,
     /// What may be taken back in the end.
     pub(in crate::judge) appeals: Vec<Appeal>,
     /// Whether a repair is judged, for which no other is looked for.
@@ -90,6 +92,7 @@ impl Checker {
             laws: Vec::new(),
             before: Mark::default(),
             senses: Vec::new(),
+            last_number: None,
             appeals: Vec::new(),
             confirming: false,
             findings: Vec::new(),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind, Rel, Term};
 use crate::judge::known::checker::Checker;
-use crate::judge::page::context::{Body, Condition, Definition, Source, is_variable};
+use crate::judge::page::context::{Body, Condition, Definition, Source, is_variable, value_given};
 use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Curve, Place};
 use crate::judge::written::names::{
@@ -161,6 +161,21 @@ impl Checker {
                 .visible(&head.base, place)
                 .filter(|(_, d, _)| is_alike(&d.head, head))
                 .all(|(_, d, _)| d.is_recursive() && bare(&d.head))
+    }
+
+    /// "At t = 1/3 we get b_0^1 = …", where what b_0^1 is was said at t = 1/2.
+    pub(in crate::judge) fn is_of_another_case(&self, head: &Head, chain: &Chain, place: &Place) -> bool {
+        let other = |own: &Expr| {
+            let Some((name, value)) = value_given(own) else { return false };
+            let mut here = chain.conditions.iter().filter_map(value_given);
+            here.any(|(same, now)| same == name && !now.same_as(value))
+        };
+        let mut known = self.context.visible(&head.base, place);
+        known.find(|(_, definition, near)| *near && covers(definition, head)).is_some_and(
+            |(_, definition, _)| {
+                head.arguments.is_none() && is_alike(&definition.head, head) && definition.conditions.iter().any(other)
+            },
+        )
     }
 
     /// Whether words say what a name is, and all that it is made of is known.

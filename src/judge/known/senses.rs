@@ -33,6 +33,10 @@ pub(in crate::judge) struct Sense {
 pub(in crate::judge) enum Means {
     Formula(Head, Expr),
     Object(Rc<Object>),
+    /// Numbers or points, which may be weights or control points.
+    List(Vec<Expr>),
+    /// Two numbers, which may be the ends of an interval.
+    Interval(Expr, Expr),
 }
 
 impl Sense {
@@ -43,6 +47,7 @@ impl Sense {
             Means::Object(object) => {
                 object.names.iter().filter_map(Head::of).map(|head| head.base).collect()
             }
+            Means::List(_) | Means::Interval(..) => Vec::new(),
         }
     }
 }

@@ -155,6 +155,8 @@ impl Checker {
         let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
         let first_known = queried
             || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        let elsewhere = head.as_ref().is_some_and(|head| self.is_of_another_case(head, chain, place));
+        let first_known = first_known && !elsewhere;
         if let Some(listed) = self.listed(chain, place) {
             return vec![listed];
         }
@@ -183,7 +185,7 @@ impl Checker {
                 && !introduced
                 && !bases(right).contains(&head.base)
                 && self.context.reached(&[right], place).contains(&head.base);
-            let claims = claimed || told || around;
+            let claims = (claimed || told || around) && !elsewhere;
             if claims && !defines {
                 let before = self.context.mark();
                 let mut tried = findings.clone();
