@@ -122,7 +122,16 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
                 }
             }
             Item::Break => paused = true,
-            Item::Heading { .. } | Item::Enter(_) | Item::Leave(_) => {
+            Item::Heading { span, .. } => {
+                end(&mut current);
+                paused = false;
+                let title = document.words(*span);
+                if speech::asks_what_is_true(&title) {
+                    current.push(Piece::Words(title.into_owned()));
+                    end(&mut current);
+                }
+            }
+            Item::Enter(_) | Item::Leave(_) => {
                 end(&mut current);
                 paused = false;
             }
@@ -137,7 +146,14 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
 fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     let mut found: Vec<Around> = Vec::new();
     let mut before = 0;
+    // "True or false? (a) … (b) …": what follows is put to the reader, up to the next words.
+    let mut put = false;
     for sentence in sentences {
+        let start = match sentence.first() {
+            Some(Piece::Words(words)) => words.as_str(),
+            _ => "",
+        };
+        put = put && is_label(start) || speech::asks_what_is_true(start);
         // "…. This is false"
         if let Some(Piece::Words(words)) = sentence.first()
             && speech::calls_that_wrong(words)
@@ -147,7 +163,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
         before = found.len();
         let (mut left, mut first) = (String::new(), true);
         let (mut ours, mut proves, mut mistaken) = (false, false, false);
-        let asks = is_question(sentence);
+        let asks = put || is_question(sentence);
         for piece in sentence {
             match piece {
                 Piece::Words(words) => {
@@ -176,6 +192,12 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
         }
     }
     found
+}
+
+/// Whether words are nothing but the label of an item: "(a)", "2."
+fn is_label(words: &str) -> bool {
+    words.split_whitespace().all(|word| word.chars().filter(|c| c.is_alphanumeric()).count() <= 2)
+        && words.split_whitespace().count() <= 1
 }
 
 /// Whether a sentence asks whether something is so, or what makes it so; "why" asks for the reason of what is so.

@@ -48,7 +48,12 @@ pub(super) fn count(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
             }
             Said::Chain(chain) => {
                 let whole = chain.whole();
-                let spoken = |datum: &Expr| whole.has(&|part| part.same_as(datum));
+                // 2 in b(2), but not in 2b_1
+                let called = |part: &Expr, datum: &Expr| match &part.kind {
+                    Kind::Apply(_, groups) => groups.iter().flatten().any(|argument| argument.same_as(datum)),
+                    _ => datum.as_int().is_none() && part.same_as(datum),
+                };
+                let spoken = |datum: &Expr| whole.has(&|part| called(part, datum));
                 statement.place.changes += u32::from(!spare.iter().all(spoken));
             }
             _ => {}

@@ -18,7 +18,7 @@ use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Said, Statement};
 use crate::judge::values::evaluator;
-use crate::judge::written::names::{Head, bases, underived};
+use crate::judge::written::names::{Head, bases, capital_of, underived};
 
 /// So many other meanings are tried for one formula.
 const TRIES: usize = 24;
@@ -80,7 +80,13 @@ impl Checker {
                 let [left, right, ..] = chain.sides.as_slice() else { return };
                 let read = !left.is_unread() && !right.is_unread();
                 let own = equation(&left.expr, chain.relations[0].0, &right.expr).filter(|_| read);
-                let means = own.into_iter().chain(chain.conditions.iter().flat_map(equations)).collect();
+                // M_1 = M_2 = -6/5
+                let value = chain.sides.last().filter(|side| bases(&side.expr).is_empty());
+                let valued = value.filter(|_| chain.sides.len() > 2).map(|value| {
+                    let named = chain.sides[..chain.sides.len() - 1].iter();
+                    named.filter_map(|side| equation(&side.expr, Rel::Eq, &value.expr))
+                });
+                let means = own.into_iter().chain(valued.into_iter().flatten()).chain(chain.conditions.iter().flat_map(equations)).collect();
                 (means, Some(first))
             }
             Said::Condition(side) => {
@@ -175,7 +181,10 @@ impl Checker {
         let Appeal { chain, statement, known, first } = appeal;
         let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
         let place = &statement.place;
-        let reached = known.reached(&sides, place);
+        let mut reached = known.reached(&sides, place);
+        // f is the polar form of F.
+        let capitals: Vec<String> = reached.iter().map(|base| capital_of(base)).collect();
+        reached.extend(capitals);
         let own = *first..*first + chain.relations.len();
         let is_rival = |sense: &Sense| {
             let refuted = |finding: usize| {
@@ -194,9 +203,10 @@ impl Checker {
                                 .values_heard(|other| other.group == place.group)
                                 .any(|(name, _)| name == head.base)
                     };
-                    (whole || !sense.finding.is_some_and(refuted))
-                        && !sides.iter().any(|side| side.same_as(body))
-                        && valued()
+                    // The slip itself, said again
+                    let same = Head::of(sides[0]).is_some_and(|own| own.base == head.base && own.flat().len() == head.flat().len())
+                        && sides.iter().any(|side| side.same_as(body));
+                    (whole || !sense.finding.is_some_and(refuted)) && !same && valued()
                 }
                 Means::Object(_) => true,
                 Means::List(_) | Means::Interval(..) => false,

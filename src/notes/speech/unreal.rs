@@ -80,6 +80,52 @@ const MISTAKES: &[&str] = &[
     "常见的错误",
 ];
 
+/// Words of which one asks which formulas are true, if it stands beside a word for true or false.
+const CHOOSING: &[&str] = &[
+    "which",
+    "whether",
+    "decide",
+    "choose",
+    "mark",
+    "tick",
+    "select",
+    "correct the",
+    "welche",
+    "welcher",
+    "welches",
+    "ob",
+    "entscheiden",
+    "entscheide",
+    "kreuzen",
+    "kreuze",
+    "wählen",
+    "lequel",
+    "laquelle",
+    "lesquelles",
+    "lesquels",
+    "quelle",
+    "quelles",
+    "quels",
+    "si",
+    "cocher",
+    "cochez",
+    "choisir",
+    "choisissez",
+    "判断",
+    "是否",
+    "哪",
+    "选",
+];
+
+/// How words begin for what is true, and for what is false.
+const TRUE: &[&str] = &[
+    "true", "right", "correct", "valid", "hold", "richtig", "wahr", "korrekt", "gültig", "vrai", "juste",
+    "exact", "valable", "正确", "成立", "正误", "对错", "真",
+];
+
+/// Titles of such questions.
+const QUIZ: &[&str] = &["quiz", "multiple choice", "multiple-choice", "qcm", "单选题", "选择题", "判断题"];
+
 /// What a sentence begins with that speaks of the one before it.
 const THAT: &[&str] = &[
     "this", "that", "it", "both", "das", "dies", "es", "beides", "c'est", "c’est", "cela", "ceci", "ce",
@@ -140,6 +186,23 @@ pub fn calls_that_wrong(words: &str) -> bool {
         text.split([',', ';', ':', '.', '，', '；', '。']).next().unwrap_or_default().split(' ').collect();
     let start = words[..words.len().min(5)].join(" ");
     points && calls_wrong(&start) && !words.iter().any(|word| ONWARD.contains(word))
+}
+
+/// Whether a sentence asks which of the formulas after it are true: "True or false?", "Which of these are correct?"
+pub fn asks_what_is_true(words: &str) -> bool {
+    let text = plain(words);
+    let begins = |cue: &&str| {
+        text.match_indices(*cue).any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
+    };
+    let chosen = |cue: &&str| {
+        text.match_indices(*cue).any(|(at, _)| {
+            let (before, after) = (text.piece(..at), text.piece(at + cue.len()..));
+            !cue.is_ascii() || !before.ends_with(char::is_alphabetic) && !after.starts_with(char::is_alphabetic)
+        })
+    };
+    let (truth, falsehood) = (TRUE.iter().any(begins), calls_wrong(&text));
+    let asks = text.contains(['?', '？']);
+    truth && (asks || falsehood || CHOOSING.iter().any(chosen)) || QUIZ.iter().any(begins)
 }
 
 fn calls_wrong(clause: &str) -> bool {
