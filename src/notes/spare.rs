@@ -3,6 +3,8 @@
 //! **Rule.** What a sentence claims after a number or a list of numbers that no phrase took, and that the claim does not
 //! speak of, may be said of other data than those before.
 
+use std::collections::HashMap;
+
 use super::sentence::Piece;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, interval};
@@ -27,8 +29,14 @@ pub(super) fn count(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
         let formulas = sentence.iter().filter(|piece| matches!(piece, Piece::Formula(_)));
         sentence_of.extend(formulas.map(|_| number));
     }
+    // 0, 1, 3 are three statements in one formula.
+    let mut in_formula: HashMap<usize, usize> = HashMap::new();
+    for statement in statements.iter().filter(|own| matches!(own.said, Said::Bare(..))) {
+        *in_formula.entry(statement.place.formula).or_default() += 1;
+    }
     let mut spare: Vec<Expr> = Vec::new();
-    let mut used: Vec<Expr> = Vec::new();
+    // The numbers that stood alone or in lists so far.
+    let mut told: Vec<Expr> = Vec::new();
     let mut current = None;
     for statement in statements {
         let sentence = sentence_of.get(statement.place.formula.wrapping_sub(1)).copied();
@@ -38,27 +46,47 @@ pub(super) fn count(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
         match &statement.said {
             Said::Bare(side, _) if is_datum(&side.expr) => {
                 let own = side.expr.span;
-                let known = |end: &Expr| used.iter().any(|list| list.has(&|part| part.same_as(end)));
-                if taken.iter().any(|span| own.start <= span.start && span.end <= own.end) {
-                    used.push(side.expr.clone());
+                let taken = taken.iter().any(|span| own.start <= span.start && span.end <= own.end);
                 // "the whole interval [0, 3]", where the nodes are 0, 1, 3
-                } else if !interval(&side.expr).is_some_and(|(ends, _)| ends.into_iter().all(known)) {
+                let known = |number: &Expr| told.iter().any(|other| other.same_as(number));
+                let numbers = items(&side.expr);
+                let several = numbers.len() > 1 || in_formula[&statement.place.formula] > 1;
+                if !taken && !(several && numbers.iter().all(|number| known(number))) {
                     spare.push(side.expr.clone());
+                }
+                if several {
+                    told.extend(numbers.into_iter().cloned());
                 }
             }
             Said::Chain(chain) => {
                 let whole = chain.whole();
-                // 2 in b(2), but not in 2b_1
-                let called = |part: &Expr, datum: &Expr| match &part.kind {
-                    Kind::Apply(_, groups) => groups.iter().flatten().any(|argument| argument.same_as(datum)),
-                    _ => datum.as_int().is_none() && part.same_as(datum),
-                };
-                let spoken = |datum: &Expr| whole.has(&|part| called(part, datum));
+                let spoken = |datum: &Expr| speaks_of(&whole, datum);
                 statement.place.changes += u32::from(!spare.iter().all(spoken));
+                told.extend(chain.sides.iter().flat_map(|side| items(&side.expr)).cloned());
             }
             _ => {}
         }
     }
+}
+
+/// The numbers of a list or an interval; anything else itself.
+fn items(expr: &Expr) -> Vec<&Expr> {
+    match (interval(expr), expr.items()) {
+        (Some((ends, _)), _) => ends.to_vec(),
+        (None, Some(items)) => items.iter().collect(),
+        (None, None) => vec![expr],
+    }
+}
+
+/// Whether a formula has a datum as a part; a whole number as an argument or an item, b(2), not as a factor, 2b_1.
+fn speaks_of(whole: &Expr, datum: &Expr) -> bool {
+    let counts = datum.as_int().is_some();
+    whole.has(&|part| {
+        let calculates = matches!(part.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..) | Kind::Div(..) | Kind::Chain(..));
+        let mut found = false;
+        part.for_each_child(&mut |child| found |= child.same_as(datum) && !(counts && calculates));
+        found
+    })
 }
 
 /// Whether it is a number, a list of numbers or an interval.

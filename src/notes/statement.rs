@@ -254,7 +254,8 @@ impl Reader<'_> {
         let mut near = Topics::default();
         // Nothing else is asked of the last words.
         let curve = self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm);
-        if curve || self.topics.has(Topic::Subdivision) || self.topics.has(Topic::ControlPoints) {
+        let points = [Topic::Subdivision, Topic::ControlPoints, Topic::Spline];
+        if curve || points.into_iter().any(|topic| self.topics.has(topic)) {
             speech::topics(&self.last, &mut near);
             near.keep_side(speech::last_side(&self.last));
         }

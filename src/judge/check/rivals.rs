@@ -16,7 +16,7 @@ use crate::judge::known::senses::{Appeal, Means, Sense};
 use crate::judge::page::context::{Body, Mark, Source, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
-use crate::judge::page::statement::{Chain, Said, Statement};
+use crate::judge::page::statement::{Chain, Role, Said, Side, Statement};
 use crate::judge::values::evaluator;
 use crate::judge::written::names::{Head, bases, capital_of, underived};
 
@@ -112,6 +112,17 @@ impl Checker {
         }
         self.last_number = number;
         let (paragraph, formula) = (statement.place.group, statement.place.formula);
+        // 1, 2, 1 are three statements of one formula.
+        if let Said::Bare(Side { expr, .. }, _) = &statement.said
+            && let (true, []) = (bases(expr).is_empty(), means.as_slice())
+        {
+            match self.senses.last_mut() {
+                Some(Sense { means: Means::List(items), formula: own, .. }) if *own == formula => {
+                    items.push(expr.clone());
+                }
+                _ => means.push(Means::List(vec![expr.clone()])),
+            }
+        }
         let new = means.into_iter().map(|means| Sense { means, paragraph, formula, finding });
         self.senses.extend(new);
     }
@@ -173,7 +184,35 @@ impl Checker {
                     break;
                 }
             }
+            if let Some(line) = self.line_of_another(&appeal) {
+                let own = &mut self.findings[appeal.first];
+                let other = format!("it may be another function: line {line} gives this name another formula");
+                *own = Finding {
+                    verdict: Verdict::Undecided,
+                    reason: Some(other),
+                    warning: own.reason.take(),
+                    evidence: Vec::new(),
+                    ..own.clone()
+                };
+            }
         }
+    }
+
+    /// The line with the formula of a function that another sentence gives a second formula, without a word that would
+    /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …".
+    fn line_of_another(&self, Appeal { first, chain, statement, known }: &Appeal) -> Option<usize> {
+        let refuted = self.findings[*first].verdict == Verdict::Refuted;
+        let silent = matches!(statement.role, None | Some(Role::Introduced)) && !chain.universal;
+        let whole = |head: &Head| {
+            let named = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name));
+            head.arguments.is_some() && head.flat().iter().all(named)
+        };
+        let head = Head::of(&chain.sides[0].expr).filter(|head| refuted && silent && whole(head))?;
+        let mut given = known.visible(&head.base, &statement.place);
+        given.find_map(|(_, own, near)| {
+            let same = near && own.head.flat().len() == head.flat().len() && whole(&own.head);
+            (same && own.head.lower.len() == head.lower.len()).then_some(own.line)
+        })
     }
 
     /// Other meanings of the names of a formula, alone and with those of their paragraph.

@@ -8,7 +8,7 @@ use crate::judge::known::checker::Checker;
 use crate::judge::known::found::Curve;
 use crate::judge::model::Model;
 use crate::judge::page::context::{Body, Definition, is_variable};
-use crate::judge::page::object::{Declared, Object, Sort};
+use crate::judge::page::object::{Declared, Object, RATIONAL, Sort};
 use crate::judge::page::statement::{Place, Statement};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::evaluator::{self, evaluate_reading};
@@ -63,7 +63,9 @@ impl Checker {
             Topic::Subdivision,
         ];
         if bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)) {
-            found.extend(self.curves_by_points(new, place, statement.topics.has(Topic::Rational)));
+            let told = |told: &Declared| told.object.sort == Sort::Other(RATIONAL.into()) && place.knows(&told.place, false);
+            let rational = statement.topics.has(Topic::Rational) || self.context.objects.iter().any(told);
+            found.extend(self.curves_by_points(new, place, rational));
         }
         found.truncate(MOST_CURVES);
         found
@@ -83,7 +85,11 @@ impl Checker {
             let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
             let points = match object.sort {
                 // Those of a B-spline are no Bézier points.
-                Sort::ControlPoints if object.of.is_none() && !statement.near.has(Topic::Spline) => {
+                Sort::ControlPoints
+                    if object.of.is_none()
+                        && object.knots.is_empty()
+                        && !statement.near.has(Topic::Spline) =>
+                {
                     &object.names
                 }
                 Sort::BezierCurve => &object.points,

@@ -163,19 +163,30 @@ impl Checker {
                 .all(|(_, d, _)| d.is_recursive() && bare(&d.head))
     }
 
-    /// "At t = 1/3 we get b_0^1 = …", where what b_0^1 is was said at t = 1/2.
+    /// "At t = 1/3 we get b_0^1 = …", where what b_0^1 is was said at t = 1/2; "if p(1) = p'(1) = 0, then p(t) = …", where
+    /// another formula for p was said if p(1) = 0.
     pub(in crate::judge) fn is_of_another_case(&self, head: &Head, chain: &Chain, place: &Place) -> bool {
-        let other = |own: &Expr| {
-            let Some((name, value)) = value_given(own) else { return false };
-            let mut here = chain.conditions.iter().filter_map(value_given);
-            here.any(|(same, now)| same == name && !now.same_as(value))
+        let own: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
+        let other = |condition: &Expr| match value_given(condition) {
+            // What is said of p(t) at t = 1 is said of all t.
+            Some((name, _)) if own.contains(name) => false,
+            Some((name, value)) => {
+                let mut here = chain.conditions.iter().filter_map(value_given);
+                here.any(|(same, now)| same == name && !now.same_as(value))
+            }
+            None => {
+                let equation = matches!(&condition.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
+                equation
+                    && !chain.conditions.is_empty()
+                    && !chain.conditions.iter().any(|here| here.same_as(condition))
+                    && bases(condition).contains(&head.base)
+            }
         };
         let mut known = self.context.visible(&head.base, place);
-        known.find(|(_, definition, near)| *near && covers(definition, head)).is_some_and(
-            |(_, definition, _)| {
-                head.arguments.is_none() && is_alike(&definition.head, head) && definition.conditions.iter().any(other)
-            },
-        )
+        let known = known.find(|(_, definition, near)| *near && covers(definition, head));
+        known.is_some_and(|(_, definition, _)| {
+            is_alike(&definition.head, head) && definition.conditions.iter().any(other)
+        })
     }
 
     /// Whether words say what a name is, and all that it is made of is known.

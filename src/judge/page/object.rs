@@ -78,6 +78,9 @@ impl Symmetric {
     }
 }
 
+/// What a curve is said to be of whose weights nothing is known.
+pub const RATIONAL: &str = "rational";
+
 /// How a name begins that no page has, of something without a name.
 pub const UNNAMED: char = '\u{25ab}';
 

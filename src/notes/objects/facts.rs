@@ -3,7 +3,7 @@
 use super::Reader;
 use super::attributes::listed;
 use super::phrase::Phrase;
-use super::subject::{ends, name_in};
+use super::subject::{ends, left_side, name_in};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Sign, Term};
 use crate::judge::page::object::{Object, Sort};
@@ -83,15 +83,53 @@ impl Reader<'_> {
         }
         let (items, end) = self.list(start);
         let weights = listed(items);
-        let curve = |object: &&mut Object| object.rational && object.weights.is_empty();
-        let curve = self.found.values_mut().rev().flat_map(|list| list.iter_mut().rev()).find(curve);
-        match curve.filter(|_| !weights.is_empty()) {
-            Some(curve) => {
-                curve.weights = in_order(weights);
-                end
+        let weights = in_order(weights);
+        let here = self.tokens.iter().find_map(|token| match token {
+            Token::Formula(number) => self.places.get(number).map(|place| (place.group, &place.scope)),
+            _ => None,
+        });
+        let Some((group, scope)) = here else { return at + 1 };
+        // "The curve b(t) with b_0 = 0, b_1 = 2, b_2 = 0"
+        let mut members: Vec<Expr> = Vec::new();
+        for said in self.places.iter().filter(|(_, place)| place.group == group).flat_map(|(at, _)| self.said(*at)) {
+            let name = left_side(said);
+            let next = Head::of(name).and_then(|head| head.index()?.as_int()) == Some(members.len() as i64);
+            if next && members.first().is_none_or(|first| bases(first) == bases(name)) {
+                members.push(name.clone());
             }
-            None => at + 1,
         }
+        let fits = |object: &Object| {
+            let points = match object.sort {
+                Sort::ControlPoints => &object.names,
+                _ => &object.points,
+            };
+            let dots = points.iter().any(|point| point.kind == Kind::Ellipsis);
+            let unsaid = points.is_empty() && members.len() == weights.len();
+            object.rational && points.is_empty() || unsaid || dots || points.len() == weights.len()
+        };
+        let curve = |object: &&mut Object| {
+            object.weights.is_empty()
+                && (object.rational
+                    || matches!(object.sort, Sort::BezierCurve | Sort::ControlPoints) && object.knots.is_empty())
+        };
+        // Those of all that its paragraph says of the curve; what is not understood of them is that it has some.
+        let mut taken = false;
+        for (number, objects) in self.found.iter_mut().rev() {
+            let Some(place) = self.places.get(number) else { continue };
+            let near = place.group == group;
+            for object in objects.iter_mut().filter(curve) {
+                if !weights.is_empty() && near && fits(object) {
+                    object.weights.clone_from(&weights);
+                    if object.sort == Sort::BezierCurve && object.points.is_empty() && !object.rational {
+                        object.points.clone_from(&members);
+                    }
+                    taken = true;
+                } else if place.scope == *scope && !taken && object.sort == Sort::BezierCurve {
+                    object.rational = true;
+                }
+            }
+        }
+        if taken { end } else { at + 1 }
     }
 
     /// "N_{1,2} has the knots 0, 0, 1, 2", "M_p has degree p and the knots 0, …, p + 1": what a name has of which the

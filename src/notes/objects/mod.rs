@@ -35,7 +35,7 @@ use self::tokens::{Token, tokens, without_smoothness};
 use super::sentence::Piece;
 use super::speech::{self, Word};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::page::object::{Object, Sort};
+use crate::judge::page::object::{Object, RATIONAL, Sort};
 use crate::judge::page::statement::{Place, Said, Statement};
 use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::roles::is_variable;
@@ -91,7 +91,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     quantities::tell(&sections, &page, &mut found);
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
-        object.sort = Sort::Other("rational".into());
+        object.sort = Sort::Other(RATIONAL.into());
     }
     for object in found.values_mut().flatten().filter(|object| are_coordinates(&object.points)) {
         object.points.clear();

@@ -371,8 +371,9 @@ pub fn topics(words: &str, found: &mut Topics) {
             }
             if let Word::Noun(sort) = word
                 && let Some(topic) = topic_of(sort)
+                // De Boor points are those of a spline.
+                && let topic = if phrase.contains("boor") { Topic::Spline } else { topic }
                 && !found.has(topic)
-                && !(topic == Topic::ControlPoints && phrase.contains("boor"))
                 && mentions(&text, phrase, true, language)
             {
                 found.add(topic);
