@@ -23,6 +23,7 @@ use crate::language::lexicon::roles::is_variable;
 pub fn assign(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
     let around = surroundings(sentences);
     let mut start = 0;
+    let mut released = Released::default();
     while start < statements.len() {
         let first = statements[start].place.formula;
         let mut end = start;
@@ -34,6 +35,7 @@ pub fn assign(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
             end += 1;
         }
         sentence(&around, &mut statements[start..end]);
+        released.sentence(&around, &mut statements[start..end]);
         start = end;
     }
 }
@@ -192,6 +194,52 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
         }
     }
     found
+}
+
+/// Names of which a paragraph speaks as of any of their kind.
+#[derive(Default)]
+struct Released {
+    paragraph: u32,
+    names: BTreeSet<String>,
+}
+
+impl Released {
+    /// "For every cubic F with polar form f, …"; "Let h > 0 be arbitrary. Then …"; "If f is convex, then …"
+    fn sentence(&mut self, around: &[Around], statements: &mut [Statement]) {
+        let Some(first) = statements.first() else { return };
+        if self.paragraph != first.place.group {
+            *self = Released { paragraph: first.place.group, names: BTreeSet::new() };
+        }
+        let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
+        let general = speech::generalises(&words_of(first.place.formula).left, true);
+        let mut own = BTreeSet::new();
+        let mut claims = false;
+        for statement in statements {
+            let words = words_of(statement.place.formula);
+            let releases = speech::releases(&words.left, &words.right);
+            match &mut statement.said {
+                Said::Bare(side, _) | Said::Condition(side) => {
+                    // "If f is convex"
+                    let supposed = statement.role == Some(Role::Case) && !words.right.trim().is_empty();
+                    if releases || supposed && matches!(side.expr.kind, Kind::Name(_)) {
+                        own.extend(bases(&side.expr));
+                    }
+                }
+                Said::Chain(chain) => {
+                    claims = true;
+                    let used: BTreeSet<String> = chain.sides.iter().flat_map(|side| bases(&side.expr)).collect();
+                    if general || releases && statement.role != Some(Role::Introduced) {
+                        own.extend(used);
+                    }
+                    chain.released = self.names.union(&own).cloned().collect();
+                }
+                _ => {}
+            }
+        }
+        if !claims {
+            self.names.extend(own);
+        }
+    }
 }
 
 /// Whether words are nothing but the label of an item: "(a)", "2."

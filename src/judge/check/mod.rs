@@ -150,6 +150,7 @@ impl Checker {
                 }
                 match self.judged(chain, statement, before) {
                     Ok(mut findings) => {
+                        self.as_said_of_any(chain, statement, &mut findings, before);
                         self.note_appeal(chain, statement, before, &findings);
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);

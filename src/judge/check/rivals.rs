@@ -198,6 +198,39 @@ impl Checker {
         }
     }
 
+    /// Takes back what holds with the values of an example only, and is said of any: "let p(t) = t^2. … For every
+    /// polynomial p of degree two, p(0) = 0".
+    ///
+    /// Cost: that of the formula once more, where a sentence releases a name.
+    pub(in crate::judge) fn as_said_of_any(
+        &self,
+        chain: &Chain,
+        statement: &Statement,
+        findings: &mut [Finding],
+        before: Mark,
+    ) {
+        let holds = |finding: &Finding| matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
+        if chain.released.is_empty() || !findings.iter().any(holds) {
+            return;
+        }
+        let mut known = self.context.clone();
+        Rc::make_mut(&mut known).forget(before);
+        let other = known.without_examples(&chain.released);
+        if other.mark() == known.mark() && other.heard.len() == known.heard.len() {
+            return;
+        }
+        let before = other.mark();
+        let mut other = Checker { context: Rc::new(other), before, confirming: true, ..self.clone() };
+        let found = other.judged(chain, statement, before).unwrap_or_default();
+        for (at, finding) in findings.iter_mut().enumerate().filter(|(_, finding)| holds(finding)) {
+            if !found.get(at).is_some_and(holds) {
+                finding.verdict = Verdict::Undecided;
+                finding.reason = Some("it holds in an example before: is it said of any other?".to_owned());
+                finding.instances = None;
+            }
+        }
+    }
+
     /// The line with the formula of a function that another sentence gives a second formula, without a word that would
     /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …".
     fn line_of_another(&self, Appeal { first, chain, statement, known }: &Appeal) -> Option<usize> {

@@ -108,7 +108,7 @@ struct Seen {
 }
 
 /// How much was known at some time.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mark([usize; 3]);
 
 impl Mark {
@@ -230,6 +230,30 @@ impl Context {
         let base = definition.head.base.clone();
         self.named.entry(base).or_default()[0].push(self.definitions.len());
         self.definitions.push(definition);
+    }
+
+    /// The same without the values and closed formulas of some names, as an example gives them.
+    pub fn without_examples(&self, names: &[String]) -> Context {
+        let mut other = Context::new(self.letters.clone());
+        let example = |own: &Definition| match &own.body {
+            Body::Formula(body) => {
+                let variables: BTreeSet<String> = own.head.flat().into_iter().flat_map(bases).collect();
+                names.contains(&own.head.base) && bases(body).is_subset(&variables)
+            }
+            Body::Value(_) => names.contains(&own.head.base),
+        };
+        let value = |own: &Expr| value_given(own).is_some_and(|(name, _)| names.iter().any(|own| own == name));
+        for own in self.definitions.iter().filter(|own| !example(own)) {
+            other.define(own.clone());
+        }
+        for own in &self.objects {
+            other.declare(own.clone());
+        }
+        other.conditions = self.conditions.iter().filter(|own| !value(&own.expr)).cloned().collect();
+        other.heard = self.heard.iter().filter(|(_, own)| !value(own)).cloned().collect();
+        other.unread.clone_from(&self.unread);
+        other.contacts.clone_from(&self.contacts);
+        other
     }
 
     /// Adds what words say that names stand for.

@@ -166,6 +166,8 @@ pub struct Chain {
     pub universal: bool,
     /// Names of which its sentence speaks for all values, whatever they were before.
     pub quantified: Vec<String>,
+    /// Names of which it is said as of any of their kind, whatever they were in an example before.
+    pub released: Vec<String>,
     /// Whether a condition beside it could not be read.
     pub blocked: bool,
     /// Names of which its sentence says that they exist: no instance refutes what is claimed of them.
@@ -185,6 +187,7 @@ impl Chain {
             partial: false,
             universal: false,
             quantified: Vec::new(),
+            released: Vec::new(),
             blocked: false,
             exists: Vec::new(),
             problems: Vec::new(),

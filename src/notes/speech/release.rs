@@ -1,0 +1,41 @@
+//! Words that make of a name any thing of its kind: "for every polynomial p", "let h be arbitrary".
+
+use super::{normal, plain};
+
+/// How words begin that stand before something of which anything may be meant.
+const ANY: &[&str] = &[
+    "any", "every", "each", "arbitrary", "general", "another", "beliebig", "jede", "allgemein", "ander",
+    "tout", "chaque", "quelconque", "arbitraire", "général", "autre", "任意", "任何", "任一", "每", "一般", "另",
+    "其他", "其它",
+];
+
+/// The same, after the name: "be arbitrary", "un polynôme quelconque".
+const BE: &[&str] = &["be", "is", "are", "denote", "sei", "seien", "ist", "sind", "un", "une", "est", "sont", "为", "是"];
+
+/// So many words may stand between such a word and the name.
+const FEW: usize = 6;
+
+fn begins(word: &str) -> bool {
+    ANY.iter().any(|cue| if cue.is_ascii() || word.is_ascii() { word.starts_with(cue) } else { word.contains(cue) })
+}
+
+/// Whether the words around a name make it any thing of its kind.
+///
+/// Cost: linear in the words.
+pub fn releases(left: &str, right: &str) -> bool {
+    let clause = |text: &str, last: bool| -> Vec<String> {
+        let mut parts = text.split([',', ';', ':', '.', '，', '；', '：', '。']);
+        let part = if last { parts.next_back() } else { parts.next() };
+        part.unwrap_or_default().split_whitespace().map(str::to_owned).collect()
+    };
+    // "for every cubic F"
+    let before = clause(&normal(left), true);
+    let near = &before[before.len().saturating_sub(FEW)..];
+    if near.iter().any(|word| begins(word)) {
+        return true;
+    }
+    // "let p be an arbitrary polynomial"
+    let after = clause(plain(right).trim_start(), false);
+    let said = after.first().is_some_and(|first| BE.iter().any(|be| first == be || !be.is_ascii() && first.starts_with(be)));
+    said && after.iter().take(FEW).any(|word| begins(word))
+}
