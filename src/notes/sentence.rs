@@ -217,24 +217,27 @@ impl Released {
         for statement in statements {
             let words = words_of(statement.place.formula);
             let releases = speech::releases(&words.left, &words.right);
-            match &mut statement.said {
-                Said::Bare(side, _) | Said::Condition(side) => {
+            let case = speech::role(&words, false) == Some(Role::Case);
+            match &statement.said {
+                Said::Bare(side, _) => {
                     // "If f is convex"
-                    let supposed = statement.role == Some(Role::Case) && !words.right.trim().is_empty();
-                    if releases || supposed && matches!(side.expr.kind, Kind::Name(_)) {
+                    let supposed = case && matches!(side.expr.kind, Kind::Name(_)) && !words.right.trim().is_empty();
+                    if releases || supposed {
                         own.extend(bases(&side.expr));
                     }
                 }
+                // "For 0 < α < 1"
+                Said::Condition(side) if releases || case => own.extend(bases(&side.expr)),
                 Said::Chain(chain) => {
                     claims = true;
-                    let used: BTreeSet<String> = chain.sides.iter().flat_map(|side| bases(&side.expr)).collect();
+                    own.extend(chain.quantified.iter().cloned());
                     if general || releases && statement.role != Some(Role::Introduced) {
-                        own.extend(used);
+                        own.extend(chain.sides.iter().flat_map(|side| bases(&side.expr)));
                     }
-                    chain.released = self.names.union(&own).cloned().collect();
                 }
                 _ => {}
             }
+            statement.released = self.names.union(&own).cloned().collect();
         }
         if !claims {
             self.names.extend(own);

@@ -12,10 +12,10 @@ use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Said, Statement};
 use crate::judge::written::names::bases;
 
-/// Counts such numbers as changes of data.
+/// Marks what stands after such numbers.
 ///
 /// Cost: linear in the statements, times the numbers of a sentence.
-pub(super) fn count(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
+pub(super) fn mark(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
     let taken: Vec<Span> = statements
         .iter()
         .filter_map(|statement| match &statement.said {
@@ -61,7 +61,7 @@ pub(super) fn count(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
             Said::Chain(chain) => {
                 let whole = chain.whole();
                 let spoken = |datum: &Expr| speaks_of(&whole, datum);
-                statement.place.changes += u32::from(!spare.iter().all(spoken));
+                statement.place.spare = !spare.iter().all(spoken);
                 told.extend(chain.sides.iter().flat_map(|side| items(&side.expr)).cloned());
             }
             _ => {}

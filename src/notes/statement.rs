@@ -66,7 +66,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     count_new_values(&mut statements);
     attach(&mut statements);
     objects::insert(&sentences, &mut statements);
-    spare::count(&sentences, &mut statements);
+    spare::mark(&sentences, &mut statements);
     statements
 }
 
@@ -292,6 +292,7 @@ impl Reader<'_> {
             recalled: self.blocks.recalled.clone(),
             items: self.items(),
             changes: self.changes.so_far,
+            spare: false,
         }
     }
 

@@ -210,12 +210,12 @@ impl Checker {
         before: Mark,
     ) {
         let holds = |finding: &Finding| matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
-        if chain.released.is_empty() || !findings.iter().any(holds) {
+        if statement.released.is_empty() || !findings.iter().any(holds) {
             return;
         }
         let mut known = self.context.clone();
         Rc::make_mut(&mut known).forget(before);
-        let other = known.without_examples(&chain.released);
+        let other = known.without_examples(&statement.released);
         if other.mark() == known.mark() && other.heard.len() == known.heard.len() {
             return;
         }

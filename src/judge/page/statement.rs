@@ -35,6 +35,8 @@ pub struct Place {
     pub items: Vec<u32>,
     /// How often words before it said that data change: "if b_1 is replaced by …".
     pub changes: u32,
+    /// Whether its sentence gives a number that nothing took.
+    pub spare: bool,
 }
 
 impl Place {
@@ -42,7 +44,12 @@ impl Place {
     pub fn may_change(&self, earlier: &Place) -> bool {
         // What an example said that the paragraph goes back to holds here.
         let here = self.recalled.as_deref().unwrap_or(self);
-        earlier.changes < here.changes || !here.items.starts_with(&earlier.items)
+        self.spare || self.is_changed(earlier) || !here.items.starts_with(&earlier.items)
+    }
+
+    /// Whether words said since then that data change.
+    pub fn is_changed(&self, earlier: &Place) -> bool {
+        earlier.changes < self.recalled.as_deref().unwrap_or(self).changes
     }
 
     /// Whether both stand in sections of one section.
@@ -166,8 +173,6 @@ pub struct Chain {
     pub universal: bool,
     /// Names of which its sentence speaks for all values, whatever they were before.
     pub quantified: Vec<String>,
-    /// Names of which it is said as of any of their kind, whatever they were in an example before.
-    pub released: Vec<String>,
     /// Whether a condition beside it could not be read.
     pub blocked: bool,
     /// Names of which its sentence says that they exist: no instance refutes what is claimed of them.
@@ -187,7 +192,6 @@ impl Chain {
             partial: false,
             universal: false,
             quantified: Vec::new(),
-            released: Vec::new(),
             blocked: false,
             exists: Vec::new(),
             problems: Vec::new(),
@@ -275,14 +279,16 @@ pub struct Statement {
     pub concludes: bool,
     /// The name for which it is an equation: its sentence goes on to the solution.
     pub solved: Option<String>,
+    /// Names of which it is said as of any of their kind, whatever they were in an example before.
+    pub released: Vec<String>,
 }
 
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
         let (topics, near, gap) = Default::default();
-        let (denied, concludes, solved) = Default::default();
-        Statement { said, place, role: None, topics, near, gap, denied, concludes, solved }
+        let (denied, concludes, solved, released) = Default::default();
+        Statement { said, place, role: None, topics, near, gap, denied, concludes, solved, released }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

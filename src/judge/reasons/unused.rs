@@ -35,10 +35,16 @@ impl Checker {
             _ => false,
         };
         for (at, finding) in findings.iter_mut().enumerate() {
+            let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
+            if matches!(finding.verdict, Verdict::Proved | Verdict::Sampled)
+                && let Some(reason) = self.changed_data(sides, place, Place::is_changed)
+            {
+                finding.verdict = Verdict::Undecided;
+                finding.reason = Some(reason);
+            }
             if finding.verdict != Verdict::Refuted {
                 continue;
             }
-            let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
             let unknown = (!rational && sides.iter().any(|side| side.has(&one)))
                 .then(|| self.said_in_unknown_words(sides, place))
                 .flatten();
@@ -55,13 +61,18 @@ impl Checker {
     /// What the page says of what a relation speaks of, and what is not used.
     pub(in crate::judge) fn unused(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
         self.open_law(sides, place)
-            .or_else(|| self.changed_data(sides, place))
+            .or_else(|| self.changed_data(sides, place, Place::may_change))
             .or_else(|| self.given_as_a_list(sides, place))
     }
 
     /// Numbers that a relation rests on, or another formula for what it says, since which words may have changed them.
-    fn changed_data(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
-        let earlier = |other: &Place| place.knows(other, false) && place.may_change(other);
+    fn changed_data(
+        &self,
+        sides: [&Expr; 2],
+        place: &Place,
+        may_change: fn(&Place, &Place) -> bool,
+    ) -> Option<String> {
+        let earlier = |other: &Place| place.knows(other, false) && may_change(place, other);
         let mut reached = self.context.reached(&sides, place);
         // The control points of c, which words may tell of without an equation
         let base = |expr: &Expr| Head::of(expr).map(|head| head.base);

@@ -12,6 +12,10 @@ const ANY: &[&str] = &[
 /// The same, after the name: "be arbitrary", "un polynôme quelconque".
 const BE: &[&str] = &["be", "is", "are", "denote", "sei", "seien", "ist", "sind", "un", "une", "est", "sont", "为", "是"];
 
+/// Words that introduce a name, and articles after it: "let f be a continuous function".
+const LET: &[&str] = &["let", "sei", "seien", "soit", "soient", "设", "令"];
+const ARTICLES: &[&str] = &["a", "an", "ein", "eine", "einer", "un", "une", "一"];
+
 /// So many words may stand between such a word and the name.
 const FEW: usize = 6;
 
@@ -31,11 +35,18 @@ pub fn releases(left: &str, right: &str) -> bool {
     // "for every cubic F"
     let before = clause(&normal(left), true);
     let near = &before[before.len().saturating_sub(FEW)..];
-    if near.iter().any(|word| begins(word)) {
+    let article = |word: &String| {
+        ARTICLES.iter().any(|own| word == own || !own.is_ascii() && word.starts_with(own))
+    };
+    // "a natural spline s"
+    let indefinite = before.len() > 1 && before.len() <= FEW && before.first().is_some_and(article);
+    if near.iter().any(|word| begins(word)) || indefinite {
         return true;
     }
     // "let p be an arbitrary polynomial"
     let after = clause(plain(right).trim_start(), false);
     let said = after.first().is_some_and(|first| BE.iter().any(|be| first == be || !be.is_ascii() && first.starts_with(be)));
-    said && after.iter().take(FEW).any(|word| begins(word))
+    let lets = before.last().is_some_and(|last| LET.iter().any(|own| last == own || !own.is_ascii() && last.ends_with(own)));
+    let introduced = lets && after.iter().take(2).any(article);
+    introduced || said && after.iter().take(FEW).any(|word| begins(word))
 }
