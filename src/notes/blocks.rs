@@ -166,6 +166,8 @@ impl Blocks {
 #[derive(Default)]
 pub(super) struct Changes {
     pub(super) so_far: u32,
+    /// Those of them that words say for certain.
+    pub(super) replaced: u32,
     /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
     passing: bool,
     /// Whether the last words put something in the place of what the next formula is.
@@ -187,6 +189,7 @@ impl Changes {
         let ends = self.passing && speech::ends_a_sentence(words);
         let changed = speech::changes_data(words, self.foreign);
         self.so_far += u32::from(ends || changed);
+        self.replaced += u32::from(changed && speech::replaces_data(words));
         self.passing &= !ends;
         self.replacing = changed && !ends && speech::replaces_next(words);
     }
@@ -196,6 +199,7 @@ impl Changes {
         // "We replace t^2 by (s t + …)/3": powers of the variable are no data.
         if std::mem::take(&mut self.replacing) && is_power_of_a_variable(text) {
             self.so_far -= 1;
+            self.replaced = self.replaced.saturating_sub(1);
         }
         // "At the parameter t = 1/4" gives a place.
         let datum = text.split_once('=').is_some_and(|(name, _)| !is_variable(name.trim()));

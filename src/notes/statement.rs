@@ -292,6 +292,7 @@ impl Reader<'_> {
             recalled: self.blocks.recalled.clone(),
             items: self.items(),
             changes: self.changes.so_far,
+            replaced: self.changes.replaced,
             spare: false,
         }
     }

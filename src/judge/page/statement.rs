@@ -35,6 +35,8 @@ pub struct Place {
     pub items: Vec<u32>,
     /// How often words before it said that data change: "if b_1 is replaced by …".
     pub changes: u32,
+    /// How often they said for certain that something stands in the place of something else.
+    pub replaced: u32,
     /// Whether its sentence gives a number that nothing took.
     pub spare: bool,
 }
@@ -44,12 +46,12 @@ impl Place {
     pub fn may_change(&self, earlier: &Place) -> bool {
         // What an example said that the paragraph goes back to holds here.
         let here = self.recalled.as_deref().unwrap_or(self);
-        self.spare || self.is_changed(earlier) || !here.items.starts_with(&earlier.items)
+        self.spare || earlier.changes < here.changes || !here.items.starts_with(&earlier.items)
     }
 
-    /// Whether words said since then that data change.
-    pub fn is_changed(&self, earlier: &Place) -> bool {
-        earlier.changes < self.recalled.as_deref().unwrap_or(self).changes
+    /// Whether words said since then that something stands in the place of something else.
+    pub fn is_replaced(&self, earlier: &Place) -> bool {
+        earlier.replaced < self.recalled.as_deref().unwrap_or(self).replaced
     }
 
     /// Whether both stand in sections of one section.

@@ -16,6 +16,14 @@ use crate::judge::values::compare;
 use crate::judge::written::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::lexicon::roles::is_control_point;
 
+/// Whether two heads are those of one thing: b_1, or p(t) and p(x).
+fn is_same(one: &Head, other: &Head) -> bool {
+    one.lower.len() == other.lower.len()
+        && one.upper.len() == other.upper.len()
+        && one.flat().len() == other.flat().len()
+        && one.lower.iter().zip(&other.lower).all(|(a, b)| a.same_as(b))
+}
+
 impl Checker {
     /// Keeps open what was called wrong if something that the page supposes may have been needed for it.
     pub(in crate::judge) fn as_supposed(
@@ -37,7 +45,7 @@ impl Checker {
         for (at, finding) in findings.iter_mut().enumerate() {
             let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
             if matches!(finding.verdict, Verdict::Proved | Verdict::Sampled)
-                && let Some(reason) = self.changed_data(sides, place, Place::is_changed)
+                && let Some(reason) = self.changed_data(sides, place, Place::is_replaced)
             {
                 finding.verdict = Verdict::Undecided;
                 finding.reason = Some(reason);
@@ -130,7 +138,14 @@ impl Checker {
             // T_n(x) is that of another function.
             let one =
                 own.head.arguments.is_some() && own.head.lower.iter().any(|index| index.as_int().is_some());
-            reached.contains(base) && ((!general || one) && data(own) || again(own)) && earlier(&own.place)
+            let given_anew = || {
+                let mut known = self.context.visible(base, place);
+                known.any(|(_, other, near)| near && !earlier(&other.place) && is_same(&other.head, &own.head))
+            };
+            reached.contains(base)
+                && ((!general || one) && data(own) || again(own))
+                && earlier(&own.place)
+                && !given_anew()
         });
         let definitions = definitions.map(|own| (own.head.base.clone(), own.line));
         let number = |expr: &Expr| bases(expr).is_empty();

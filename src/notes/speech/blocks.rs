@@ -64,6 +64,21 @@ pub fn changes_data(words: &str, foreign: bool) -> bool {
     }) || foreign && super::tongue::CHANGED.iter().any(|cue| begins(cue))
 }
 
+/// How words begin after which something certainly stands in the place of something else.
+const REPLACED: &[&str] = &[
+    "replac", "instead", "exchang", "swap", "moved", "move ", "we move", "altered", "modif", "ersetz", "stattdessen",
+    "verschieb", "verschob", "vertausch", "tauscht", "remplac", "au lieu", "déplac", "échang", "换成", "改为", "改成",
+    "替换",
+];
+
+/// Whether words certainly put something in the place of something else: what held before is no proof after them.
+pub fn replaces_data(words: &str) -> bool {
+    let text = words.to_lowercase();
+    REPLACED.iter().any(|cue| {
+        text.match_indices(cue).any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
+    })
+}
+
 /// Whether what is changed by these words is the formula after them: "we replace".
 pub fn replaces_next(words: &str) -> bool {
     let text = words.to_lowercase();

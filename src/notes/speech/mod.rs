@@ -22,7 +22,8 @@ mod unreal;
 
 pub use blocks::{
     Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data,
-    is_with_some_data, kind_of_block, number_of_block, opens_data, recalled, replaces_next, sets_apart,
+    is_with_some_data, kind_of_block, number_of_block, opens_data, recalled, replaces_data, replaces_next,
+    sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
