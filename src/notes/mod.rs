@@ -22,6 +22,7 @@ mod sentence;
 mod spare;
 mod speech;
 mod statement;
+mod superscripts;
 mod triangles;
 
 pub use again::{Memory, Progress, check_again};

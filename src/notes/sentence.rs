@@ -14,7 +14,7 @@ use crate::document::{Document, Item, Style};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::page::statement::{Chain, Role, Said, Statement, links};
-use crate::judge::written::names::{Head, bases};
+use crate::judge::written::names::{Head, bases, walk};
 use crate::language::lexicon::roles::is_variable;
 
 /// Gives every statement its role and every claim the cases of its sentence.
@@ -231,8 +231,18 @@ impl Released {
                 Said::Chain(chain) => {
                     claims = true;
                     own.extend(chain.quantified.iter().cloned());
+                    // What is said "in general" of a function is said of that one, for other numbers.
                     if general || releases && statement.role != Some(Role::Introduced) {
-                        own.extend(chain.sides.iter().flat_map(|side| bases(&side.expr)));
+                        let mut functions = BTreeSet::new();
+                        for side in &chain.sides {
+                            walk(&side.expr, &mut |part| {
+                                if let Kind::Apply(callee, _) = &part.kind {
+                                    functions.extend(bases(callee));
+                                }
+                            });
+                        }
+                        let names = chain.sides.iter().flat_map(|side| bases(&side.expr));
+                        own.extend(names.filter(|name| !functions.contains(name)));
                     }
                 }
                 _ => {}

@@ -14,6 +14,7 @@ use super::primes;
 use super::sentence;
 use super::spare;
 use super::speech::{self, Block};
+use super::superscripts;
 use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
@@ -66,6 +67,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     count_new_values(&mut statements);
     attach(&mut statements);
     objects::insert(&sentences, &mut statements);
+    superscripts::as_calls(&mut statements);
     spare::mark(&sentences, &mut statements);
     statements
 }
@@ -262,6 +264,14 @@ impl Reader<'_> {
         near
     }
 
+    /// The degrees that the sentence names before its formula.
+    fn degrees(&self) -> Topics {
+        let mut own = Topics::default();
+        let last = self.gap.rsplit(['.', '。']).next().unwrap_or_default();
+        speech::topics(last, &mut own);
+        own
+    }
+
     fn new_group(&mut self) {
         self.group += 1;
         self.changes.paragraph();
@@ -303,6 +313,7 @@ impl Reader<'_> {
         let statement = Statement {
             topics: self.topics,
             near: self.near(),
+            degrees: self.degrees(),
             gap: self.gap.clone(),
             denied: speech::denies(&self.gap),
             ..Statement::new(said, self.place())

@@ -337,6 +337,13 @@ impl Checker {
         for means in means {
             match means {
                 Means::Formula(head, body) => {
+                    // y = x^2/2, where x was a function of t before
+                    let free: Vec<String> = match head.arguments {
+                        None => bases(body).into_iter().filter(|name| is_variable(name)).collect(),
+                        Some(_) => Vec::new(),
+                    };
+                    let apart = other.context.without_objects(std::slice::from_ref(&head.base));
+                    other.context = Rc::new(if free.is_empty() { apart } else { apart.without(&free) });
                     let (head, body) = (head.clone(), Body::Formula(body.clone()));
                     other.define_by(Source::Given, head, body, &[], &statement.place, chain.whole().span);
                 }

@@ -232,6 +232,28 @@ impl Context {
         self.definitions.push(definition);
     }
 
+    /// The same without what words say of some names.
+    pub fn without_objects(&self, names: &[String]) -> Context {
+        let mut other = Context { objects: Vec::new(), named: HashMap::new(), ..self.clone() };
+        let own = std::mem::take(&mut other.definitions);
+        own.into_iter().for_each(|own| other.define(own));
+        let spoken = |own: &Declared| {
+            own.object.names.iter().filter_map(Head::of).any(|head| names.contains(&head.base))
+        };
+        self.objects.iter().filter(|own| !spoken(own)).for_each(|own| other.declare(own.clone()));
+        other
+    }
+
+    /// The same without the definitions of some names.
+    pub fn without(&self, names: &[String]) -> Context {
+        let mut other = Context { definitions: Vec::new(), named: HashMap::new(), ..self.clone() };
+        let objects = std::mem::take(&mut other.objects);
+        let kept = self.definitions.iter().filter(|own| !names.contains(&own.head.base));
+        kept.for_each(|own| other.define(own.clone()));
+        objects.into_iter().for_each(|own| other.declare(own));
+        other
+    }
+
     /// The same without the values and closed formulas of some names, as an example gives them.
     pub fn without_examples(&self, names: &[String]) -> Context {
         let mut other = Context::new(self.letters.clone());

@@ -273,6 +273,8 @@ pub struct Statement {
     pub topics: Topics,
     /// What the sentences right before it speak of.
     pub near: Topics,
+    /// The degrees that its sentence names by words, from the formula before on.
+    pub degrees: Topics,
     /// The words between the formula before and this one.
     pub gap: String,
     /// Whether these words deny it.
@@ -288,9 +290,9 @@ pub struct Statement {
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
-        let (topics, near, gap) = Default::default();
+        let (topics, near, degrees, gap) = Default::default();
         let (denied, concludes, solved, released) = Default::default();
-        Statement { said, place, role: None, topics, near, gap, denied, concludes, solved, released }
+        Statement { said, place, role: None, topics, near, degrees, gap, denied, concludes, solved, released }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -26,6 +26,25 @@ const BELIEVED: &[&str] = &[
     "pourrait croire",
     "pourrait penser",
     "on serait tenté",
+    "i wrote",
+    "i got",
+    "i get",
+    "my guess",
+    "ich erhalte",
+    "ich bekomme",
+    "ich habe geschrieben",
+    "j'ai écrit",
+    "j'ai trouvé",
+    "had we",
+    "had one",
+    "if we had",
+    "if one had",
+    "were we to",
+    "if it were",
+    "hätte man",
+    "hätten wir",
+    "si l'on avait",
+    "si nous avions",
     "可能会认为",
     "可能以为",
     "容易以为",
@@ -80,50 +99,26 @@ const MISTAKES: &[&str] = &[
     "常见的错误",
 ];
 
-/// Words of which one asks which formulas are true, if it stands beside a word for true or false.
+/// Words with which a sentence begins that asks which formulas are true.
 const CHOOSING: &[&str] = &[
-    "which",
-    "whether",
-    "decide",
-    "choose",
-    "mark",
-    "tick",
-    "select",
-    "correct the",
-    "welche",
-    "welcher",
-    "welches",
-    "ob",
-    "entscheiden",
-    "entscheide",
-    "kreuzen",
-    "kreuze",
-    "wählen",
-    "lequel",
-    "laquelle",
-    "lesquelles",
-    "lesquels",
-    "quelle",
-    "quelles",
-    "quels",
-    "si",
-    "cocher",
-    "cochez",
-    "choisir",
-    "choisissez",
-    "判断",
-    "是否",
-    "哪",
-    "选",
-];
-
-/// How words begin for what is true, and for what is false.
-const TRUE: &[&str] = &[
-    "true", "right", "correct", "valid", "hold", "richtig", "wahr", "korrekt", "gültig", "vrai", "juste",
-    "exact", "valable", "正确", "成立", "正误", "对错", "真",
+    "which", "decide", "choose", "mark", "tick", "select", "welche", "welcher", "welches", "entscheiden",
+    "entscheide", "kreuzen", "kreuze", "wählen", "lequel", "laquelle", "lesquelles", "lesquels", "quelle",
+    "quelles", "quels", "cochez", "choisissez", "判断", "选",
 ];
 
 /// Titles of such questions.
+const TRUE_OR_FALSE: &[&str] = &[
+    "true or false", "right or wrong", "correct or not", "richtig oder falsch", "wahr oder falsch", "vrai ou faux",
+    "juste ou faux", "正误", "对错", "真假", "是否正确",
+];
+
+/// How words begin for what is true.
+const TRUE: &[&str] = &[
+    "true", "right", "correct", "valid", "richtig", "wahr", "korrekt", "gültig", "vrai", "juste", "exact", "valable",
+    "正确", "成立",
+];
+
+/// Titles of sheets with such questions.
 const QUIZ: &[&str] = &["quiz", "multiple choice", "multiple-choice", "qcm", "单选题", "选择题", "判断题"];
 
 /// What a sentence begins with that speaks of the one before it.
@@ -194,15 +189,11 @@ pub fn asks_what_is_true(words: &str) -> bool {
     let begins = |cue: &&str| {
         text.match_indices(*cue).any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
     };
-    let chosen = |cue: &&str| {
-        text.match_indices(*cue).any(|(at, _)| {
-            let (before, after) = (text.piece(..at), text.piece(at + cue.len()..));
-            !cue.is_ascii() || !before.ends_with(char::is_alphabetic) && !after.starts_with(char::is_alphabetic)
-        })
+    let first = |cue: &&str| {
+        text.strip_prefix(*cue).is_some_and(|rest| !cue.is_ascii() || !rest.starts_with(char::is_alphabetic))
     };
-    let (truth, falsehood) = (TRUE.iter().any(begins), calls_wrong(&text));
-    let asks = text.contains(['?', '？']);
-    truth && (asks || falsehood || CHOOSING.iter().any(chosen)) || QUIZ.iter().any(begins)
+    let asks = text.contains(['?', '？']) || CHOOSING.iter().any(first);
+    asks && TRUE.iter().any(begins) || TRUE_OR_FALSE.iter().chain(QUIZ).any(begins)
 }
 
 fn calls_wrong(clause: &str) -> bool {
