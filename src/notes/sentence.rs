@@ -248,6 +248,7 @@ impl Released {
                 _ => {}
             }
             statement.released = self.names.union(&own).cloned().collect();
+            statement.of_a_kind = words.first && speech::speaks_of_a_kind(&words.left);
         }
         if !claims {
             self.names.extend(own);

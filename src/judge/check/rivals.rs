@@ -276,8 +276,11 @@ impl Checker {
                                 .any(|(name, _)| name == head.base)
                     };
                     // The slip itself, said again
-                    let same = Head::of(sides[0]).is_some_and(|own| own.base == head.base && own.flat().len() == head.flat().len())
-                        && sides.iter().any(|side| side.same_as(body));
+                    let same_name = Head::of(sides[0]).is_some_and(|own| {
+                        let arguments = own.flat().into_iter().zip(head.flat());
+                        own.base == head.base && arguments.into_iter().all(|(a, b)| a.same_as(b))
+                    });
+                    let same = same_name && sides.iter().any(|side| side.same_as(body));
                     (whole || !sense.finding.is_some_and(refuted)) && !same && valued()
                 }
                 Means::Object(_) => true,

@@ -216,7 +216,21 @@ impl Checker {
                 ..Curve::new(Expr::name(CURVE), degree)
             })
         };
-        letters.filter_map(|definition| curve(&definition.head.base)).take(MOST_CURVES).collect()
+        // Those of a spline, on several pieces, are not those of one curve.
+        let of_spline = |letter: &str| {
+            self.context.objects.iter().any(|told| {
+                let object = &*told.object;
+                let names = match object.sort {
+                    Sort::ControlPoints => &object.names,
+                    Sort::SplineCurve => &object.points,
+                    _ => return false,
+                };
+                let own = names.iter().filter_map(Head::of).any(|head| head.base == letter);
+                own && (object.sort == Sort::SplineCurve || !object.knots.is_empty()) && place.knows(&told.place, false)
+            })
+        };
+        let letters = letters.map(|definition| definition.head.base.as_str());
+        letters.filter(|letter| !of_spline(letter)).filter_map(curve).take(MOST_CURVES).collect()
     }
 
     /// The degree of the B-splines in a formula, if words say it.

@@ -103,8 +103,22 @@ impl Checker {
                 own.iter().any(|(known, value)| known.same_as(&name) && !value.same_as(&other))
             })
         };
+        // "p(0) = 0, p(1) = 1 give p(t) = t. p(0) = 1, p(1) = 1 give p(t) = 1": what the first formula came of is settled.
+        let settled = |fact: &Condition| {
+            let known = &self.context.definitions[..before.definitions()];
+            head.arguments.is_some()
+                && known.iter().any(|own| {
+                    own.head.base == head.base
+                        && own.head.lower.len() == head.lower.len()
+                        && own.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
+                        && own.head.arguments.is_some()
+                        && own.place.formula > fact.place.formula
+                        && place.knows(&own.place, own.assumed)
+                })
+        };
         let told = |fact: &&Condition| {
             !elsewhere(fact)
+                && !settled(fact)
                 && place.in_reach(&fact.place, fact.assumed)
                 && place.sees(&fact.place)
                 && (fact.place.group == place.group

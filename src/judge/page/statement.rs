@@ -285,14 +285,30 @@ pub struct Statement {
     pub solved: Option<String>,
     /// Names of which it is said as of any of their kind, whatever they were in an example before.
     pub released: Vec<String>,
+    /// Whether its sentence begins with a kind of things of which it may be said: "the polynomials with".
+    pub of_a_kind: bool,
 }
 
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
         let (topics, near, degrees, gap) = Default::default();
-        let (denied, concludes, solved, released) = Default::default();
-        Statement { said, place, role: None, topics, near, degrees, gap, denied, concludes, solved, released }
+        let (denied, concludes, solved, released, of_a_kind) = Default::default();
+        let role = None;
+        Statement {
+            said,
+            place,
+            role,
+            topics,
+            near,
+            degrees,
+            gap,
+            denied,
+            concludes,
+            solved,
+            released,
+            of_a_kind,
+        }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

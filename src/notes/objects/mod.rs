@@ -342,6 +342,15 @@ impl<'a> Reader<'a> {
         });
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
+            // "Its derivative has the control points 3, 3, 6", "the points 0, 1, 2 give a line": those of another curve
+            let subject = from.checked_sub(2).map(|before| &self.tokens[before]);
+            let of_other = self.is(from - usize::from(from > 0), &Word::With)
+                && matches!(subject, Some(Token::Unknown(_) | Token::Word(Word::Piece)));
+            let given = |name: &Expr| self.known(name).is_some_and(|known| !known.points.is_empty());
+            if of_other || of.is_empty() && self.talk.topic.iter().any(given) {
+                self.taken = to;
+                return;
+            }
             let names = match (of.as_slice(), self.talk.topic.as_slice()) {
                 ([one], _) => vec![one.clone()],
                 ([], [one]) if !anonymous => vec![one.clone()],

@@ -23,6 +23,23 @@ fn begins(word: &str) -> bool {
     ANY.iter().any(|cue| if cue.is_ascii() || word.is_ascii() { word.starts_with(cue) } else { word.contains(cue) })
 }
 
+/// Words with which what is spoken of has data.
+const WITH: &[&str] = &[
+    "with", "having", "satisfying", "through", "interpolating", "from", "mit", "durch", "aus", "avec", "par", "de",
+    "vérifiant", "满足", "由", "从", "取",
+];
+
+/// Whether the words from the start of a sentence to its first formula only say of what kind of thing it speaks: "the
+/// polynomials with", "a clamped spline has".
+pub fn speaks_of_a_kind(left: &str) -> bool {
+    let words = normal(left);
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let (Some(first), Some(last)) = (words.first(), words.last()) else { return false };
+    let with = WITH.iter().any(|own| last == own || !own.is_ascii() && last.ends_with(own));
+    let indefinite = words.len() <= FEW && ARTICLES.iter().any(|own| first == own || !own.is_ascii() && first.starts_with(own));
+    with || indefinite || words.len() <= FEW && words.iter().any(|word| begins(word))
+}
+
 /// Whether the words around a name make it any thing of its kind.
 ///
 /// Cost: linear in the words.

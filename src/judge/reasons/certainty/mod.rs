@@ -49,8 +49,9 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 20] = [
+        let rules: [fn(&Self) -> Option<String>; 21] = [
             Self::of_one_that_exists,
+            Self::data_of_another,
             Self::join_of_any_degree,
             Self::unrelated_functions,
             Self::new_function,
@@ -83,6 +84,15 @@ impl Suspect<'_> {
             names.find(|name| is_intermediate(name) && self.is_only_argument(name, &|_| true))
         };
         said.or_else(between).map(|name| format!("it may be said of one {name} that exists"))
+    }
+
+    /// "Let p(0) = 1", "the polynomials with p(0) = 1", after p(t) = t^2: values that are given, and not claimed.
+    fn data_of_another(&self) -> Option<String> {
+        let given = self.statement.of_a_kind || self.statement.role == Some(Role::Introduced);
+        let Kind::Apply(callee, groups) = &self.sides()[0].kind else { return None };
+        let value = groups.iter().flatten().all(|argument| bases(argument).is_empty());
+        let name = Head::of(underived(callee))?.base;
+        (given && value && self.are_numbers()).then(|| format!("it may give a value to another {name}"))
     }
 
     /// Curves of degree n that join: the instances that are solved leave too much open.
