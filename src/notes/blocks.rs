@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::speech::{self, Block};
-use crate::formula::Rel;
+use crate::formula::{Kind, Rel};
 use crate::judge::page::statement::{Chain, Place, Role, Said, Statement};
 use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
-use crate::language::write;
+use crate::language::{latex, write};
 
 /// What is open at a place of the page.
 #[derive(Default)]
@@ -166,8 +166,11 @@ impl Blocks {
 #[derive(Default)]
 pub(super) struct Changes {
     pub(super) so_far: u32,
-    /// Those of them that words say for certain.
-    pub(super) replaced: u32,
+    /// The letters of which words say for certain that something else stands in their place.
+    pub(super) replaced: Vec<String>,
+    /// The letter of the last formula, and whether the words after it replace.
+    last: Option<String>,
+    replaces: bool,
     /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
     passing: bool,
     /// Whether the last words put something in the place of what the next formula is.
@@ -189,7 +192,9 @@ impl Changes {
         let ends = self.passing && speech::ends_a_sentence(words);
         let changed = speech::changes_data(words, self.foreign);
         self.so_far += u32::from(ends || changed);
-        self.replaced += u32::from(changed && speech::replaces_data(words));
+        let [before, after] = speech::replaces_data(words);
+        self.replaced.extend(self.last.take_if(|_| before));
+        self.replaces = after;
         self.passing &= !ends;
         self.replacing = changed && !ends && speech::replaces_next(words);
     }
@@ -199,7 +204,10 @@ impl Changes {
         // "We replace t^2 by (s t + …)/3": powers of the variable are no data.
         if std::mem::take(&mut self.replacing) && is_power_of_a_variable(text) {
             self.so_far -= 1;
-            self.replaced = self.replaced.saturating_sub(1);
+        }
+        self.last = letter(text);
+        if std::mem::take(&mut self.replaces) {
+            self.replaced.extend(self.last.clone());
         }
         // "At the parameter t = 1/4" gives a place.
         let datum = text.split_once('=').is_some_and(|(name, _)| !is_variable(name.trim()));
@@ -220,6 +228,17 @@ impl Changes {
     pub(super) fn paragraph(&mut self) {
         self.so_far += u32::from(std::mem::take(&mut self.passing) || self.foreign);
     }
+}
+
+/// The letter of b_1, or of b_1 = 4.
+fn letter(text: &str) -> Option<String> {
+    let expr = latex::read(text).ok()?;
+    match expr.kind {
+        Kind::Chain(left, _) => Head::of(&left),
+        _ => Head::of(&expr).filter(|head| head.arguments.is_none()),
+    }
+    .filter(|head| head.upper.is_empty())
+    .map(|head| head.base)
 }
 
 /// t^3, x^k: a name and an exponent.

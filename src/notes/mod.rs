@@ -17,6 +17,7 @@ mod items;
 mod objects;
 mod page;
 mod primes;
+mod released;
 pub mod report;
 mod sentence;
 mod spare;

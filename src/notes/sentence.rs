@@ -9,12 +9,13 @@ use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
 use super::cases::{self, parity};
+use super::released::Released;
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::page::statement::{Chain, Role, Said, Statement, links};
-use crate::judge::written::names::{Head, bases, walk};
+use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
 
 /// Gives every statement its role and every claim the cases of its sentence.
@@ -23,7 +24,7 @@ use crate::language::lexicon::roles::is_variable;
 pub fn assign(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
     let around = surroundings(sentences);
     let mut start = 0;
-    let mut released = Released::default();
+    let mut released = Released::new(&around);
     while start < statements.len() {
         let first = statements[start].place.formula;
         let mut end = start;
@@ -35,7 +36,7 @@ pub fn assign(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
             end += 1;
         }
         sentence(&around, &mut statements[start..end]);
-        released.sentence(&around, &mut statements[start..end]);
+        released.sentence(&mut statements[start..end]);
         start = end;
     }
 }
@@ -194,66 +195,6 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
         }
     }
     found
-}
-
-/// Names of which a paragraph speaks as of any of their kind.
-#[derive(Default)]
-struct Released {
-    paragraph: u32,
-    names: BTreeSet<String>,
-}
-
-impl Released {
-    /// "For every cubic F with polar form f, …"; "Let h > 0 be arbitrary. Then …"; "If f is convex, then …"
-    fn sentence(&mut self, around: &[Around], statements: &mut [Statement]) {
-        let Some(first) = statements.first() else { return };
-        if self.paragraph != first.place.group {
-            *self = Released { paragraph: first.place.group, names: BTreeSet::new() };
-        }
-        let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
-        let general = speech::generalises(&words_of(first.place.formula).left, true);
-        let mut own = BTreeSet::new();
-        let mut claims = false;
-        for statement in statements {
-            let words = words_of(statement.place.formula);
-            let releases = speech::releases(&words.left, &words.right);
-            let case = speech::role(&words, false) == Some(Role::Case);
-            match &statement.said {
-                Said::Bare(side, _) => {
-                    // "If f is convex"
-                    let supposed = case && matches!(side.expr.kind, Kind::Name(_)) && !words.right.trim().is_empty();
-                    if releases || supposed {
-                        own.extend(bases(&side.expr));
-                    }
-                }
-                // "For 0 < α < 1"
-                Said::Condition(side) if releases || case => own.extend(bases(&side.expr)),
-                Said::Chain(chain) => {
-                    claims = true;
-                    own.extend(chain.quantified.iter().cloned());
-                    // What is said "in general" of a function is said of that one, for other numbers.
-                    if general || releases && statement.role != Some(Role::Introduced) {
-                        let mut functions = BTreeSet::new();
-                        for side in &chain.sides {
-                            walk(&side.expr, &mut |part| {
-                                if let Kind::Apply(callee, _) = &part.kind {
-                                    functions.extend(bases(callee));
-                                }
-                            });
-                        }
-                        let names = chain.sides.iter().flat_map(|side| bases(&side.expr));
-                        own.extend(names.filter(|name| !functions.contains(name)));
-                    }
-                }
-                _ => {}
-            }
-            statement.released = self.names.union(&own).cloned().collect();
-            statement.of_a_kind = words.first && speech::speaks_of_a_kind(&words.left);
-        }
-        if !claims {
-            self.names.extend(own);
-        }
-    }
 }
 
 /// Whether words are nothing but the label of an item: "(a)", "2."

@@ -82,7 +82,10 @@ fn items(expr: &Expr) -> Vec<&Expr> {
 fn speaks_of(whole: &Expr, datum: &Expr) -> bool {
     let counts = datum.as_int().is_some();
     whole.has(&|part| {
-        let calculates = matches!(part.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..) | Kind::Div(..) | Kind::Chain(..));
+        let calculates = matches!(
+            part.kind,
+            Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..) | Kind::Div(..) | Kind::Chain(..)
+        );
         let mut found = false;
         part.for_each_child(&mut |child| found |= child.same_as(datum) && !(counts && calculates));
         found

@@ -256,8 +256,7 @@ impl Reader<'_> {
         let mut near = Topics::default();
         // Nothing else is asked of the last words.
         let curve = self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm);
-        let points = [Topic::Subdivision, Topic::ControlPoints, Topic::Spline];
-        if curve || points.into_iter().any(|topic| self.topics.has(topic)) {
+        if curve || self.topics.has(Topic::Subdivision) || self.topics.has(Topic::ControlPoints) {
             speech::topics(&self.last, &mut near);
             near.keep_side(speech::last_side(&self.last));
         }
@@ -302,7 +301,7 @@ impl Reader<'_> {
             recalled: self.blocks.recalled.clone(),
             items: self.items(),
             changes: self.changes.so_far,
-            replaced: self.changes.replaced,
+            replaced: self.changes.replaced.clone(),
             spare: false,
         }
     }

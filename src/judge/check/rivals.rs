@@ -4,6 +4,7 @@
 //! it, before or after: which of them is meant was misunderstood. The other meaning must be one that the page gives
 //! elsewhere, not in the relation, and not one that is its own slip said again.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use crate::budget::Limits;
@@ -13,12 +14,22 @@ use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
 use crate::judge::known::senses::{Appeal, Means, Sense};
-use crate::judge::page::context::{Body, Mark, Source, is_variable};
+use crate::judge::page::context::{Body, Context, Definition, Mark, Source, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
-use crate::judge::page::statement::{Chain, Role, Said, Side, Statement};
+use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::judge::values::evaluator;
 use crate::judge::written::names::{Head, bases, capital_of, underived};
+
+/// Whether an equation says all of a name: a number, or a formula in its variables.
+fn is_meaning(head: &Head, body: &Expr) -> bool {
+    let variables = head.flat();
+    let used = bases(body);
+    let variable = |name: &String| is_variable(name) || used.contains(name);
+    let named = variables.iter().all(|argument| matches!(&argument.kind, Kind::Name(name) if variable(name)));
+    let own: BTreeSet<String> = variables.into_iter().flat_map(bases).collect();
+    named && (head.arguments.is_none() || used.is_empty() || !used.is_disjoint(&own))
+}
 
 /// So many other meanings are tried for one formula.
 const TRIES: usize = 24;
@@ -68,7 +79,8 @@ fn ends(expr: &Expr) -> Option<Means> {
 
 /// 1, 2, 1
 fn list(expr: &Expr) -> Option<Means> {
-    let items = expr.items().filter(|items| items.len() > 1 && items.iter().all(|item| bases(item).is_empty()))?;
+    let items =
+        expr.items().filter(|items| items.len() > 1 && items.iter().all(|item| bases(item).is_empty()))?;
     Some(Means::List(items.to_vec()))
 }
 
@@ -86,7 +98,11 @@ impl Checker {
                     let named = chain.sides[..chain.sides.len() - 1].iter();
                     named.filter_map(|side| equation(&side.expr, Rel::Eq, &value.expr))
                 });
-                let means = own.into_iter().chain(valued.into_iter().flatten()).chain(chain.conditions.iter().flat_map(equations)).collect();
+                let means = own
+                    .into_iter()
+                    .chain(valued.into_iter().flatten())
+                    .chain(chain.conditions.iter().flat_map(equations))
+                    .collect();
                 (means, Some(first))
             }
             Said::Condition(side) => {
@@ -95,7 +111,9 @@ impl Checker {
             Said::Object(object) if object.has_values() => {
                 (vec![Means::Object(Rc::new(object.as_ref().clone()))], None)
             }
-            Said::Bare(side, _) => (ends(&side.expr).or_else(|| list(&side.expr)).into_iter().collect(), None),
+            Said::Bare(side, _) => {
+                (ends(&side.expr).or_else(|| list(&side.expr)).into_iter().collect(), None)
+            }
             _ => return,
         };
         // "from 0 to 2", "t_0 = 1, t_1 = 3"
@@ -123,7 +141,15 @@ impl Checker {
                 _ => means.push(Means::List(vec![expr.clone()])),
             }
         }
-        let new = means.into_iter().map(|means| Sense { means, paragraph, formula, finding });
+        let (scope, blocks) = (&statement.place.scope, &statement.place.blocks);
+        let new = means.into_iter().map(|means| Sense {
+            means,
+            scope: scope.clone(),
+            blocks: blocks.clone(),
+            paragraph,
+            formula,
+            finding,
+        });
         self.senses.extend(new);
     }
 
@@ -186,7 +212,8 @@ impl Checker {
             }
             if let Some(line) = self.line_of_another(&appeal) {
                 let own = &mut self.findings[appeal.first];
-                let other = format!("it may be another function: line {line} gives this name another formula");
+                let other =
+                    format!("it may be another function: line {line} gives this name another formula");
                 *own = Finding {
                     verdict: Verdict::Undecided,
                     reason: Some(other),
@@ -264,30 +291,25 @@ impl Checker {
             };
             let other = match &sense.means {
                 Means::Formula(head, body) => {
-                    let whole = head
-                        .flat()
-                        .iter()
-                        .any(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
-                    let valued = || {
-                        known.visible(&head.base, place).next().is_some()
-                            || known.object_called(&head.base, place).is_some()
-                            || known
-                                .values_heard(|other| other.group == place.group)
-                                .any(|(name, _)| name == head.base)
-                    };
                     // The slip itself, said again
                     let same_name = Head::of(sides[0]).is_some_and(|own| {
                         let arguments = own.flat().into_iter().zip(head.flat());
                         own.base == head.base && arguments.into_iter().all(|(a, b)| a.same_as(b))
                     });
                     let same = same_name && sides.iter().any(|side| side.same_as(body));
-                    (whole || !sense.finding.is_some_and(refuted)) && !same && valued()
+                    let refuted = sense.finding.is_some_and(refuted);
+                    is_meaning(head, body)
+                        && (head.arguments.is_some() || !refuted)
+                        && !same
+                        && self.is_of_example(&head.base, known, place)
                 }
                 Means::Object(_) => true,
                 Means::List(_) | Means::Interval(..) => false,
             };
             let elsewhere = !sense.finding.is_some_and(|finding| own.contains(&finding));
-            elsewhere && other && sense.bases().iter().any(|base| reached.contains(base))
+            let near =
+                sense.scope == place.scope && place.blocks.iter().all(|block| sense.blocks.contains(block));
+            elsewhere && near && other && sense.bases().iter().any(|base| reached.contains(base))
         };
         let all: Vec<&Sense> = senses.iter().filter(|sense| is_rival(sense)).collect();
         let distance = |senses: &[&Sense]| senses[0].formula.abs_diff(place.formula);
@@ -305,6 +327,21 @@ impl Checker {
         alone.into_iter().chain(together).map(rival).collect()
     }
 
+    /// Whether the values or the formula of an example are known of a name, so that what fails does so with these.
+    fn is_of_example(&self, base: &str, known: &Context, place: &Place) -> bool {
+        let closed = |own: &Definition| match &own.body {
+            Body::Formula(body) => is_meaning(&own.head, body),
+            Body::Value(_) => true,
+        };
+        // The polar form of t^2 + 4t, but not that of any F
+        let formula = |of: &Expr| bases(of).iter().all(|name| is_variable(name));
+        let given =
+            |own: &Object| own.has_data() || !own.values.is_empty() || own.of.as_ref().is_some_and(formula);
+        known.visible(base, place).any(|(_, own, near)| near && closed(own))
+            || known.object_called(base, place).is_some_and(|told| given(&told.object))
+            || known.values_heard(|other| other.group == place.group).any(|(name, _)| name == base)
+    }
+
     /// The curve of which a value is given, with other points or weights or over another interval that the page names.
     fn other_curves(&self, appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
         let Appeal { chain, statement, known, .. } = appeal;
@@ -316,7 +353,8 @@ impl Checker {
             let Some(name) = Head::of(underived(callee)) else { continue };
             let told = known.object_called(&name.base, &statement.place).map(|told| &*told.object);
             let told = told.filter(|object| !object.points.is_empty()).cloned();
-            let others = || New::of(left, right).map(|new| here.curves(&new, right, statement)).unwrap_or_default();
+            let others =
+                || New::of(left, right).map(|new| here.curves(&new, right, statement)).unwrap_or_default();
             let others = || others().into_iter().filter_map(|curve| curve.object);
             for object in told.map_or_else(|| others().collect(), |own| vec![own]) {
                 let names = vec![underived(callee).clone()];

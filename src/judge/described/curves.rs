@@ -63,7 +63,9 @@ impl Checker {
             Topic::Subdivision,
         ];
         if bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)) {
-            let told = |told: &Declared| told.object.sort == Sort::Other(RATIONAL.into()) && place.knows(&told.place, false);
+            let told = |told: &Declared| {
+                told.object.sort == Sort::Other(RATIONAL.into()) && place.knows(&told.place, false)
+            };
             let rational = statement.topics.has(Topic::Rational) || self.context.objects.iter().any(told);
             found.extend(self.curves_by_points(new, place, rational));
         }
@@ -93,7 +95,8 @@ impl Checker {
                 Sort::ControlPoints
                     if object.of.is_none()
                         && object.knots.is_empty()
-                        && !statement.near.has(Topic::Spline) =>
+                        && !statement.near.has(Topic::Spline)
+                        && !statement.is_on_splines_only() =>
                 {
                     &object.names
                 }
@@ -226,7 +229,8 @@ impl Checker {
                     _ => return false,
                 };
                 let own = names.iter().filter_map(Head::of).any(|head| head.base == letter);
-                own && (object.sort == Sort::SplineCurve || !object.knots.is_empty()) && place.knows(&told.place, false)
+                own && (object.sort == Sort::SplineCurve || !object.knots.is_empty())
+                    && place.knows(&told.place, false)
             })
         };
         let letters = letters.map(|definition| definition.head.base.as_str());

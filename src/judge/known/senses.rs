@@ -22,6 +22,8 @@ pub(in crate::judge) struct Appeal {
 #[derive(Clone)]
 pub(in crate::judge) struct Sense {
     pub(in crate::judge) means: Means,
+    pub(in crate::judge) scope: Vec<u32>,
+    pub(in crate::judge) blocks: Vec<u32>,
     pub(in crate::judge) paragraph: u32,
     pub(in crate::judge) formula: usize,
     /// The finding that says it, if one does.
@@ -44,9 +46,7 @@ impl Sense {
     pub(in crate::judge) fn bases(&self) -> Vec<String> {
         match &self.means {
             Means::Formula(head, _) => vec![head.base.clone()],
-            Means::Object(object) => {
-                object.names.iter().filter_map(Head::of).map(|head| head.base).collect()
-            }
+            Means::Object(object) => object.names.iter().filter_map(Head::of).map(|head| head.base).collect(),
             Means::List(_) | Means::Interval(..) => Vec::new(),
         }
     }

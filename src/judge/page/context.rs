@@ -264,7 +264,8 @@ impl Context {
             }
             Body::Value(_) => names.contains(&own.head.base),
         };
-        let value = |own: &Expr| value_given(own).is_some_and(|(name, _)| names.iter().any(|own| own == name));
+        let value =
+            |own: &Expr| value_given(own).is_some_and(|(name, _)| names.iter().any(|own| own == name));
         for own in self.definitions.iter().filter(|own| !example(own)) {
             other.define(own.clone());
         }

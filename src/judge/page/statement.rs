@@ -35,8 +35,8 @@ pub struct Place {
     pub items: Vec<u32>,
     /// How often words before it said that data change: "if b_1 is replaced by …".
     pub changes: u32,
-    /// How often they said for certain that something stands in the place of something else.
-    pub replaced: u32,
+    /// The letters of which they said for certain that something else stands in their place.
+    pub replaced: Vec<String>,
     /// Whether its sentence gives a number that nothing took.
     pub spare: bool,
 }
@@ -49,9 +49,11 @@ impl Place {
         self.spare || earlier.changes < here.changes || !here.items.starts_with(&earlier.items)
     }
 
-    /// Whether words said since then that something stands in the place of something else.
-    pub fn is_replaced(&self, earlier: &Place) -> bool {
-        earlier.replaced < self.recalled.as_deref().unwrap_or(self).replaced
+    /// Whether words said since then that something else stands in the place of a letter.
+    pub fn is_replaced(&self, letter: &str, earlier: &Place) -> bool {
+        let here = self.recalled.as_deref().unwrap_or(self);
+        let times = |place: &Place| place.replaced.iter().filter(|own| *own == letter).count();
+        times(earlier) < times(here)
     }
 
     /// Whether both stand in sections of one section.
@@ -309,6 +311,13 @@ impl Statement {
             released,
             of_a_kind,
         }
+    }
+
+    /// Whether its section speaks of splines and not of Bézier curves.
+    pub(in crate::judge) fn is_on_splines_only(&self) -> bool {
+        self.topics.has(Topic::Spline)
+            && !self.topics.has(Topic::BezierCurve)
+            && !self.topics.has(Topic::ControlPoints)
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -9,7 +9,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Definition, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
-use crate::judge::page::object::Object;
+use crate::judge::page::object::{Declared, Object};
 use crate::judge::page::statement::{Chain, Place, Statement, equates_values};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::compare;
@@ -45,7 +45,7 @@ impl Checker {
         for (at, finding) in findings.iter_mut().enumerate() {
             let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
             if matches!(finding.verdict, Verdict::Proved | Verdict::Sampled)
-                && let Some(reason) = self.changed_data(sides, place, Place::is_replaced)
+                && let Some(reason) = self.replaced_data(sides, place)
             {
                 finding.verdict = Verdict::Undecided;
                 finding.reason = Some(reason);
@@ -69,18 +69,36 @@ impl Checker {
     /// What the page says of what a relation speaks of, and what is not used.
     pub(in crate::judge) fn unused(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
         self.open_law(sides, place)
-            .or_else(|| self.changed_data(sides, place, Place::may_change))
+            .or_else(|| self.changed_data(sides, place))
             .or_else(|| self.given_as_a_list(sides, place))
     }
 
+    /// A letter that a relation rests on, for which words put something else: "replacing b_1 by 4 we get". What holds with
+    /// the data from before is no proof.
+    fn replaced_data(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        if place.replaced.is_empty() {
+            return None;
+        }
+        let mut reached = self.context.reached(&sides, place);
+        let points = |told: &&Declared| place.knows(&told.place, false) && !told.object.points.is_empty();
+        for told in self.context.objects.iter().filter(points) {
+            let own = told.object.names.iter().filter_map(Head::of);
+            if own.into_iter().any(|head| reached.contains(&head.base)) {
+                reached.extend(told.object.points.iter().flat_map(bases));
+            }
+        }
+        // The points of b(t) are the b_i, if nothing else is said.
+        let own = self.context.definitions.iter().filter(|own| {
+            let base = &own.head.base;
+            reached.contains(base) && place.knows(&own.place, false) && place.is_replaced(base, &own.place)
+        });
+        let own = own.map(|own| (own.head.base.clone(), own.line)).next();
+        own.map(|(name, line)| format!("{name} may have been changed since line {line}"))
+    }
+
     /// Numbers that a relation rests on, or another formula for what it says, since which words may have changed them.
-    fn changed_data(
-        &self,
-        sides: [&Expr; 2],
-        place: &Place,
-        may_change: fn(&Place, &Place) -> bool,
-    ) -> Option<String> {
-        let earlier = |other: &Place| place.knows(other, false) && may_change(place, other);
+    fn changed_data(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        let earlier = |other: &Place| place.knows(other, false) && place.may_change(other);
         let mut reached = self.context.reached(&sides, place);
         // The control points of c, which words may tell of without an equation
         let base = |expr: &Expr| Head::of(expr).map(|head| head.base);
@@ -140,7 +158,8 @@ impl Checker {
                 own.head.arguments.is_some() && own.head.lower.iter().any(|index| index.as_int().is_some());
             let given_anew = || {
                 let mut known = self.context.visible(base, place);
-                known.any(|(_, other, near)| near && !earlier(&other.place) && is_same(&other.head, &own.head))
+                known
+                    .any(|(_, other, near)| near && !earlier(&other.place) && is_same(&other.head, &own.head))
             };
             reached.contains(base)
                 && ((!general || one) && data(own) || again(own))

@@ -124,7 +124,7 @@ impl Reader<'_> {
             && !object.points.is_empty()
             && let Some(number) = number
         {
-            let lists = super::families(&object.points);
+            let lists = super::facts::families(&object.points);
             if lists.len() > 1 && lists.len() == intervals.len() {
                 // "Two curves over [0, 1] and [1, 3] with the control points b_0, … and c_0, …"
                 for ((points, interval), at) in lists.into_iter().zip(intervals).zip(1..) {

@@ -91,7 +91,9 @@ impl Reader<'_> {
         let Some((group, scope)) = here else { return at + 1 };
         // "The curve b(t) with b_0 = 0, b_1 = 2, b_2 = 0"
         let mut members: Vec<Expr> = Vec::new();
-        for said in self.places.iter().filter(|(_, place)| place.group == group).flat_map(|(at, _)| self.said(*at)) {
+        for said in
+            self.places.iter().filter(|(_, place)| place.group == group).flat_map(|(at, _)| self.said(*at))
+        {
             let name = left_side(said);
             let next = Head::of(name).and_then(|head| head.index()?.as_int()) == Some(members.len() as i64);
             if next && members.first().is_none_or(|first| bases(first) == bases(name)) {
@@ -110,7 +112,8 @@ impl Reader<'_> {
         let curve = |object: &&mut Object| {
             object.weights.is_empty()
                 && (object.rational
-                    || matches!(object.sort, Sort::BezierCurve | Sort::ControlPoints) && object.knots.is_empty())
+                    || matches!(object.sort, Sort::BezierCurve | Sort::ControlPoints)
+                        && object.knots.is_empty())
         };
         // Those of all that its paragraph says of the curve; what is not understood of them is that it has some.
         let mut taken = false;
@@ -333,4 +336,19 @@ pub(super) fn are_coordinates(items: &[Expr]) -> bool {
     all.is_some_and(|all| {
         all.len() > 1 && all.windows(2).all(|two| two[0].1 == two[1].1 && two[0].0 != two[1].0)
     })
+}
+
+/// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.
+pub(super) fn families(items: &[Expr]) -> Vec<Vec<Expr>> {
+    let mut found: Vec<(String, Vec<Expr>)> = Vec::new();
+    for item in items {
+        let base = Head::of(item).map(|head| head.base);
+        match (found.last_mut(), base) {
+            (Some((_, list)), None) => list.push(item.clone()),
+            (Some((known, list)), Some(base)) if *known == base => list.push(item.clone()),
+            (_, Some(base)) => found.push((base, vec![item.clone()])),
+            (None, None) => {}
+        }
+    }
+    found.into_iter().map(|(_, list)| list).collect()
 }

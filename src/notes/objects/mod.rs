@@ -26,7 +26,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::attributes::is_call;
 use self::coreference::Talk;
-use self::facts::{are_coordinates, in_order};
+use self::facts::{are_coordinates, families, in_order};
 use self::page::{Page, by_members, formulas, sections};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
@@ -639,19 +639,4 @@ fn is_made_of_functions(expr: &Expr) -> bool {
         _ => false,
     };
     made && capitals && !expr.has(&|part| matches!(part.kind, Kind::Number(_) | Kind::Subscript(..)))
-}
-
-/// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.
-fn families(items: &[Expr]) -> Vec<Vec<Expr>> {
-    let mut found: Vec<(String, Vec<Expr>)> = Vec::new();
-    for item in items {
-        let base = Head::of(item).map(|head| head.base);
-        match (found.last_mut(), base) {
-            (Some((_, list)), None) => list.push(item.clone()),
-            (Some((known, list)), Some(base)) if *known == base => list.push(item.clone()),
-            (_, Some(base)) => found.push((base, vec![item.clone()])),
-            (None, None) => {}
-        }
-    }
-    found.into_iter().map(|(_, list)| list).collect()
 }

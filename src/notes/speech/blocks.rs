@@ -66,17 +66,60 @@ pub fn changes_data(words: &str, foreign: bool) -> bool {
 
 /// How words begin after which something certainly stands in the place of something else.
 const REPLACED: &[&str] = &[
-    "replac", "instead", "exchang", "swap", "moved", "move ", "we move", "altered", "modif", "ersetz", "stattdessen",
-    "verschieb", "verschob", "vertausch", "tauscht", "remplac", "au lieu", "déplac", "échang", "换成", "改为", "改成",
+    "replac",
+    "instead",
+    "exchang",
+    "swap",
+    "moved",
+    "move ",
+    "we move",
+    "altered",
+    "modif",
+    "ersetz",
+    "stattdessen",
+    "verschieb",
+    "verschob",
+    "vertausch",
+    "tauscht",
+    "remplac",
+    "au lieu",
+    "déplac",
+    "échang",
+    "换成",
+    "改为",
+    "改成",
     "替换",
 ];
 
-/// Whether words certainly put something in the place of something else: what held before is no proof after them.
-pub fn replaces_data(words: &str) -> bool {
+/// Words between what is replaced and the word that says so: "b_1 is replaced".
+const PASSIVE: &[&str] =
+    &["is", "are", "was", "were", "be", "now", "wird", "werden", "nun", "est", "sont", "被"];
+
+/// So many words may stand between the word that replaces and what it replaces.
+const NEAR: usize = 2;
+
+/// Whether words certainly put something else in the place of the formula before them, "b_1 is replaced by", or of the
+/// one after them, "replacing".
+pub fn replaces_data(words: &str) -> [bool; 2] {
     let text = words.to_lowercase();
-    REPLACED.iter().any(|cue| {
-        text.match_indices(cue).any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
-    })
+    let count = |part: &str| part.split_whitespace().count();
+    let mut found = [false; 2];
+    for cue in REPLACED {
+        for (at, _) in text.match_indices(cue) {
+            let before = text.piece(..at);
+            if cue.is_ascii() && before.ends_with(char::is_alphanumeric) {
+                continue;
+            }
+            let word = text.piece(at..).find(char::is_whitespace).map_or(text.len(), |end| at + end);
+            let after = text.piece(word..);
+            let apart = |part: &str| part.contains(['.', ',', ';', ':', '。', '，', '；']);
+            // "1 instead of 2" puts the 1 there.
+            let of = after.trim_start().starts_with("of") || cue.starts_with("au lieu");
+            found[0] |= before.split_whitespace().all(|word| PASSIVE.contains(&word)) && !of;
+            found[1] |= count(after) <= NEAR && !apart(text.piece(at..)) && word < text.len();
+        }
+    }
+    found
 }
 
 /// Whether what is changed by these words is the formula after them: "we replace".
@@ -362,4 +405,16 @@ mod tests {
         assert_eq!(block("**Step 1.** We"), None);
         assert_eq!(block("**Given:** the"), None);
     }
+}
+
+/// Whether a paragraph begins with a word that draws a conclusion from the one before: "Then", "Hence".
+pub fn goes_on_from_before(words: &str) -> bool {
+    let text = super::plain(words);
+    let text = text.trim_start();
+    LANGUAGES.iter().any(|language| {
+        language.conclusions.iter().any(|word| {
+            text.strip_prefix(word)
+                .is_some_and(|rest| !language.spaced || !rest.starts_with(char::is_alphanumeric))
+        })
+    })
 }

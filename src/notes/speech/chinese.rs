@@ -101,7 +101,8 @@ pub(super) const CONCLUSIONS: &[&str] = &["则", "那么", "于是", "因此", "
 /// Words that ask for a proof.
 pub(super) const PROOFS: &[&str] = &["证明", "验证"];
 
-pub(super) const FILLERS: &[&str] = &["时", "都", "也", "又", "又有", "还有", "还", "更", "再", "任意", "所有", "一切", "首先"];
+pub(super) const FILLERS: &[&str] =
+    &["时", "都", "也", "又", "又有", "还有", "还", "更", "再", "任意", "所有", "一切", "首先"];
 
 pub(super) const BLOCKS: &[(&str, Block)] = &[
     ("答", Block::Proof),

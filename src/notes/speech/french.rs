@@ -127,7 +127,23 @@ pub(super) const CONCLUSIONS: &[&str] =
 pub(super) const PROOFS: &[&str] = &["montrer", "montrez", "démontrer", "prouver", "vérifier"];
 
 pub(super) const FILLERS: &[&str] = &[
-    "le", "la", "les", "un", "une", "aussi", "de plus", "en outre", "également", "par l'absurde", "encore", "toujours", "que", "tout", "tous", "toute", "entier",
+    "le",
+    "la",
+    "les",
+    "un",
+    "une",
+    "aussi",
+    "de plus",
+    "en outre",
+    "également",
+    "par l'absurde",
+    "encore",
+    "toujours",
+    "que",
+    "tout",
+    "tous",
+    "toute",
+    "entier",
     "d'abord",
 ];
 

@@ -21,14 +21,14 @@ mod tongue;
 mod unreal;
 
 pub use blocks::{
-    Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data,
-    is_with_some_data, kind_of_block, number_of_block, opens_data, recalled, replaces_data, replaces_next,
-    sets_apart,
+    Block, block, changes_data, ends_a_sentence, generalises, gives_example, goes_on_from_before,
+    is_for_some_data, is_with_some_data, kind_of_block, number_of_block, opens_data, recalled, replaces_data,
+    replaces_next, sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
-pub use release::{releases, speaks_of_a_kind};
+pub use release::{holds_for_any, releases, speaks_of_a_kind};
 pub use rewriting::says_as;
 pub use tongue::is_understood;
 pub use unreal::{asks_what_is_true, calls_that_wrong, denies, joins, names_a_mistake};
@@ -637,16 +637,4 @@ pub fn goes_on(words: &str) -> Option<bool> {
         "or" | "oder" | "ou" | "或" => Some(true),
         _ => None,
     }
-}
-
-/// Whether a paragraph begins with a word that draws a conclusion from the one before: "Then", "Hence".
-pub fn goes_on_from_before(words: &str) -> bool {
-    let text = plain(words);
-    let text = text.trim_start();
-    LANGUAGES.iter().any(|language| {
-        language.conclusions.iter().any(|word| {
-            text.strip_prefix(word)
-                .is_some_and(|rest| !language.spaced || !rest.starts_with(char::is_alphanumeric))
-        })
-    })
 }

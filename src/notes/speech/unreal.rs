@@ -101,21 +101,52 @@ const MISTAKES: &[&str] = &[
 
 /// Words with which a sentence begins that asks which formulas are true.
 const CHOOSING: &[&str] = &[
-    "which", "decide", "choose", "mark", "tick", "select", "welche", "welcher", "welches", "entscheiden",
-    "entscheide", "kreuzen", "kreuze", "wählen", "lequel", "laquelle", "lesquelles", "lesquels", "quelle",
-    "quelles", "quels", "cochez", "choisissez", "判断", "选",
+    "which",
+    "decide",
+    "choose",
+    "mark",
+    "tick",
+    "select",
+    "welche",
+    "welcher",
+    "welches",
+    "entscheiden",
+    "entscheide",
+    "kreuzen",
+    "kreuze",
+    "wählen",
+    "lequel",
+    "laquelle",
+    "lesquelles",
+    "lesquels",
+    "quelle",
+    "quelles",
+    "quels",
+    "cochez",
+    "choisissez",
+    "判断",
+    "选",
 ];
 
 /// Titles of such questions.
 const TRUE_OR_FALSE: &[&str] = &[
-    "true or false", "right or wrong", "correct or not", "richtig oder falsch", "wahr oder falsch", "vrai ou faux",
-    "juste ou faux", "正误", "对错", "真假", "是否正确",
+    "true or false",
+    "right or wrong",
+    "correct or not",
+    "richtig oder falsch",
+    "wahr oder falsch",
+    "vrai ou faux",
+    "juste ou faux",
+    "正误",
+    "对错",
+    "真假",
+    "是否正确",
 ];
 
 /// How words begin for what is true.
 const TRUE: &[&str] = &[
-    "true", "right", "correct", "valid", "richtig", "wahr", "korrekt", "gültig", "vrai", "juste", "exact", "valable",
-    "正确", "成立",
+    "true", "right", "correct", "valid", "richtig", "wahr", "korrekt", "gültig", "vrai", "juste", "exact",
+    "valable", "正确", "成立",
 ];
 
 /// Titles of sheets with such questions.
@@ -187,7 +218,8 @@ pub fn calls_that_wrong(words: &str) -> bool {
 pub fn asks_what_is_true(words: &str) -> bool {
     let text = plain(words);
     let begins = |cue: &&str| {
-        text.match_indices(*cue).any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
+        text.match_indices(*cue)
+            .any(|(at, _)| !cue.is_ascii() || !text.piece(..at).ends_with(char::is_alphanumeric))
     };
     let first = |cue: &&str| {
         text.strip_prefix(*cue).is_some_and(|rest| !cue.is_ascii() || !rest.starts_with(char::is_alphabetic))
