@@ -34,7 +34,7 @@ pub(super) fn mark(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
     for statement in statements.iter().filter(|own| matches!(own.said, Said::Bare(..))) {
         *in_formula.entry(statement.place.formula).or_default() += 1;
     }
-    let mut spare: Vec<Expr> = Vec::new();
+    let mut spare: Vec<(usize, Expr)> = Vec::new();
     // The numbers that stood alone or in lists so far.
     let mut told: Vec<Expr> = Vec::new();
     let mut current = None;
@@ -51,8 +51,8 @@ pub(super) fn mark(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
                 let known = |number: &Expr| told.iter().any(|other| other.same_as(number));
                 let numbers = items(&side.expr);
                 let several = numbers.len() > 1 || in_formula[&statement.place.formula] > 1;
-                if !taken && !(several && numbers.iter().all(|number| known(number))) {
-                    spare.push(side.expr.clone());
+                if !(taken || several && numbers.iter().all(|number| known(number))) {
+                    spare.push((statement.place.formula, side.expr.clone()));
                 }
                 if several {
                     told.extend(numbers.into_iter().cloned());
@@ -60,8 +60,8 @@ pub(super) fn mark(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
             }
             Said::Chain(chain) => {
                 let whole = chain.whole();
-                let spoken = |datum: &Expr| speaks_of(&whole, datum);
-                statement.place.spare = !spare.iter().all(spoken);
+                let unspoken = spare.iter().rev().find(|(_, datum)| !speaks_of(&whole, datum));
+                statement.place.spare = unspoken.map_or(0, |(formula, _)| *formula);
                 told.extend(chain.sides.iter().flat_map(|side| items(&side.expr)).cloned());
             }
             _ => {}

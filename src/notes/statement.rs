@@ -302,7 +302,7 @@ impl Reader<'_> {
             items: self.items(),
             changes: self.changes.so_far,
             replaced: self.changes.replaced.clone(),
-            spare: false,
+            spare: 0,
         }
     }
 

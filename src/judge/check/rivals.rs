@@ -285,6 +285,11 @@ impl Checker {
         let capitals: Vec<String> = reached.iter().map(|base| capital_of(base)).collect();
         reached.extend(capitals);
         let own = *first..*first + chain.relations.len();
+        let is_meant = |object: &Object| {
+            let named = object.names.iter().filter_map(Head::of);
+            let mut told = named.filter_map(|head| known.object_called(&head.base, place));
+            told.any(|told| *told.object == *object)
+        };
         let is_rival = |sense: &Sense| {
             let refuted = |finding: usize| {
                 self.findings.get(finding).is_some_and(|finding| finding.verdict == Verdict::Refuted)
@@ -303,7 +308,7 @@ impl Checker {
                         && !same
                         && self.is_of_example(&head.base, known, place)
                 }
-                Means::Object(_) => true,
+                Means::Object(object) => object.is_function() && !is_meant(object),
                 Means::List(_) | Means::Interval(..) => false,
             };
             let elsewhere = !sense.finding.is_some_and(|finding| own.contains(&finding));
@@ -380,11 +385,18 @@ impl Checker {
                 Means::Formula(head, body) => {
                     // y = x^2/2, where x was a function of t before
                     let free: Vec<String> = match head.arguments {
-                        None => bases(body).into_iter().filter(|name| is_variable(name)).collect(),
-                        Some(_) => Vec::new(),
+                        None if head.lower.is_empty() => {
+                            bases(body).into_iter().filter(|name| is_variable(name)).collect()
+                        }
+                        _ => Vec::new(),
                     };
-                    let apart = other.context.without_objects(std::slice::from_ref(&head.base));
-                    other.context = Rc::new(if free.is_empty() { apart } else { apart.without(&free) });
+                    if head.arguments.is_some() {
+                        let apart = other.context.without_objects(std::slice::from_ref(&head.base));
+                        other.context = Rc::new(apart);
+                    }
+                    if !free.is_empty() {
+                        other.context = Rc::new(other.context.without(&free));
+                    }
                     let (head, body) = (head.clone(), Body::Formula(body.clone()));
                     other.define_by(Source::Given, head, body, &[], &statement.place, chain.whole().span);
                 }

@@ -37,8 +37,8 @@ pub struct Place {
     pub changes: u32,
     /// The letters of which they said for certain that something else stands in their place.
     pub replaced: Vec<String>,
-    /// Whether its sentence gives a number that nothing took.
-    pub spare: bool,
+    /// The formula of its sentence with the last number that nothing took; 0 if there is none.
+    pub spare: usize,
 }
 
 impl Place {
@@ -46,7 +46,9 @@ impl Place {
     pub fn may_change(&self, earlier: &Place) -> bool {
         // What an example said that the paragraph goes back to holds here.
         let here = self.recalled.as_deref().unwrap_or(self);
-        self.spare || earlier.changes < here.changes || !here.items.starts_with(&earlier.items)
+        earlier.formula < self.spare
+            || earlier.changes < here.changes
+            || !here.items.starts_with(&earlier.items)
     }
 
     /// Whether words said since then that something else stands in the place of a letter.

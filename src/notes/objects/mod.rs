@@ -349,6 +349,9 @@ impl<'a> Reader<'a> {
             let given = |name: &Expr| self.known(name).is_some_and(|known| !known.points.is_empty());
             if of_other || of.is_empty() && self.talk.topic.iter().any(given) {
                 self.taken = to;
+                let number = (from..to).find_map(|at| self.formula_at(at));
+                let other = Object { points: object.values, ..Object::new(Sort::ControlPoints) };
+                self.found.entry(number.unwrap_or_default()).or_default().push(other);
                 return;
             }
             let names = match (of.as_slice(), self.talk.topic.as_slice()) {

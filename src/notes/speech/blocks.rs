@@ -116,7 +116,8 @@ pub fn replaces_data(words: &str) -> [bool; 2] {
             // "1 instead of 2" puts the 1 there.
             let of = after.trim_start().starts_with("of") || cue.starts_with("au lieu");
             found[0] |= before.split_whitespace().all(|word| PASSIVE.contains(&word)) && !of;
-            found[1] |= count(after) <= NEAR && !apart(text.piece(at..)) && word < text.len();
+            let alone = matches!(*cue, "instead" | "stattdessen") || cue.starts_with("au lieu");
+            found[1] |= count(after) <= NEAR && !apart(text.piece(at..)) && !alone;
         }
     }
     found
@@ -339,6 +340,18 @@ pub fn recalled(words: &str) -> Option<String> {
     })
 }
 
+/// Whether a paragraph begins with a word that draws a conclusion from the one before: "Then", "Hence".
+pub fn goes_on_from_before(words: &str) -> bool {
+    let text = super::plain(words);
+    let text = text.trim_start();
+    LANGUAGES.iter().any(|language| {
+        language.conclusions.iter().any(|word| {
+            text.strip_prefix(word)
+                .is_some_and(|rest| !language.spaced || !rest.starts_with(char::is_alphanumeric))
+        })
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -405,16 +418,4 @@ mod tests {
         assert_eq!(block("**Step 1.** We"), None);
         assert_eq!(block("**Given:** the"), None);
     }
-}
-
-/// Whether a paragraph begins with a word that draws a conclusion from the one before: "Then", "Hence".
-pub fn goes_on_from_before(words: &str) -> bool {
-    let text = super::plain(words);
-    let text = text.trim_start();
-    LANGUAGES.iter().any(|language| {
-        language.conclusions.iter().any(|word| {
-            text.strip_prefix(word)
-                .is_some_and(|rest| !language.spaced || !rest.starts_with(char::is_alphanumeric))
-        })
-    })
 }
