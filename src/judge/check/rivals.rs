@@ -19,7 +19,7 @@ use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::judge::values::evaluator;
-use crate::judge::written::names::{Head, bases, capital_of, underived};
+use crate::judge::written::names::{Head, bases, capital_of, underived, walk};
 
 /// Whether an equation says all of a name: a number, or a formula in its variables.
 fn is_meaning(head: &Head, body: &Expr) -> bool {
@@ -29,6 +29,22 @@ fn is_meaning(head: &Head, body: &Expr) -> bool {
     let named = variables.iter().all(|argument| matches!(&argument.kind, Kind::Name(name) if variable(name)));
     let own: BTreeSet<String> = variables.into_iter().flat_map(bases).collect();
     named && (head.arguments.is_none() || used.is_empty() || !used.is_disjoint(&own))
+}
+
+/// Whether formulas call a name with as many arguments as a head has, or do not call it at all.
+fn is_called_like(head: &Head, sides: &[&Expr]) -> bool {
+    let count = head.flat().len();
+    let mut counts = BTreeSet::new();
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, groups) = &part.kind
+                && Head::of(underived(callee)).is_some_and(|own| own.base == head.base)
+            {
+                counts.insert(groups.iter().flatten().count());
+            }
+        });
+    }
+    counts.is_empty() || counts.contains(&count)
 }
 
 /// So many other meanings are tried for one formula.
@@ -304,6 +320,7 @@ impl Checker {
                     let same = same_name && sides.iter().any(|side| side.same_as(body));
                     let refuted = sense.finding.is_some_and(refuted);
                     is_meaning(head, body)
+                        && is_called_like(head, &sides)
                         && (head.arguments.is_some() || !refuted)
                         && !same
                         && self.is_of_example(&head.base, known, place)
