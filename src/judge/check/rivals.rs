@@ -14,7 +14,7 @@ use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
 use crate::judge::known::senses::{Appeal, Means, Sense};
-use crate::judge::page::context::{Body, Context, Definition, Mark, Source, is_variable};
+use crate::judge::page::context::{Body, Context, Definition, Mark, Source, is_variable, value_given};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
@@ -44,11 +44,14 @@ fn is_called_like(head: &Head, sides: &[&Expr]) -> bool {
             }
         });
     }
-    counts.is_empty() || counts.contains(&count)
+    head.arguments.is_none() || counts.is_empty() || counts.contains(&count)
 }
 
 /// So many other meanings are tried for one formula.
 const TRIES: usize = 24;
+
+/// So many formulas of a page are looked at again: nobody writes pages on which more is wrong.
+const MOST_APPEALS: usize = 100;
 
 /// Other meanings of some names.
 struct Rival {
@@ -180,7 +183,8 @@ impl Checker {
         let first = self.findings.len();
         let pending = self.uses.iter().rev().take_while(|one| one.finding >= first);
         let refuted = findings.iter().any(|finding| finding.verdict == Verdict::Refuted);
-        if refuted || pending.into_iter().any(|one| one.wrong.is_some()) {
+        let may_be = refuted || pending.into_iter().any(|one| one.wrong.is_some());
+        if may_be && self.appeals.len() < MOST_APPEALS {
             let (chain, statement) = (chain.clone(), statement.clone());
             let mut known = self.context.clone();
             Rc::make_mut(&mut known).forget(before);
@@ -191,7 +195,7 @@ impl Checker {
     /// Takes back what was refuted and holds with another meaning that the page gives to a name in it. To be called
     /// after the last statement.
     ///
-    /// Cost: at most [`TRIES`] times that of each formula that is refuted.
+    /// Cost: at most twice [`TRIES`] times that of each of the first [`MOST_APPEALS`] formulas that are refuted.
     pub(in crate::judge) fn hear_appeals(&mut self) {
         let appeals = std::mem::take(&mut self.appeals);
         let senses = std::mem::take(&mut self.senses);
@@ -204,7 +208,8 @@ impl Checker {
             if !refuted(self) {
                 continue;
             }
-            let rivals = self.rivals(&appeal, &senses).into_iter().chain(self.other_curves(&appeal, &senses));
+            let mut rivals = self.rivals(&appeal, &senses);
+            rivals.extend(self.other_curves(&appeal, &senses));
             for rival in rivals {
                 let Some(findings) = self.judged_with(&appeal, &rival.means) else { continue };
                 let reason = format!("it holds with {} of the page: which one is meant?", rival.what);
@@ -246,14 +251,21 @@ impl Checker {
     ///
     /// Cost: that of the formula once more, where a sentence releases a name.
     pub(in crate::judge) fn as_said_of_any(
-        &self,
+        &mut self,
         chain: &Chain,
         statement: &Statement,
         findings: &mut [Finding],
         before: Mark,
     ) {
         let holds = |finding: &Finding| matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
-        if statement.released.is_empty() || !findings.iter().any(holds) {
+        let place = &statement.place;
+        let given = |name: &String| {
+            let value = |own: &Expr| value_given(own).is_some_and(|(own, _)| own == name);
+            self.context.visible(name, place).next().is_some()
+                || self.context.conditions.iter().any(|own| value(&own.expr))
+                || self.context.heard.iter().any(|(_, own)| value(own))
+        };
+        if !findings.iter().any(holds) || !statement.released.iter().any(given) {
             return;
         }
         let mut known = self.context.clone();
@@ -263,7 +275,7 @@ impl Checker {
             return;
         }
         let before = other.mark();
-        let mut other = Checker { context: Rc::new(other), before, confirming: true, ..self.clone() };
+        let mut other = Checker { before, ..self.aside(Rc::new(other)) };
         let found = other.judged(chain, statement, before).unwrap_or_default();
         for (at, finding) in findings.iter_mut().enumerate().filter(|(_, finding)| holds(finding)) {
             if !found.get(at).is_some_and(holds) {
@@ -365,9 +377,9 @@ impl Checker {
     }
 
     /// The curve of which a value is given, with other points or weights or over another interval that the page names.
-    fn other_curves(&self, appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
+    fn other_curves(&mut self, appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
         let Appeal { chain, statement, known, .. } = appeal;
-        let here = Checker { context: known.clone(), ..self.clone() };
+        let here = self.aside(known.clone());
         let mut found = Vec::new();
         for sides in chain.sides.windows(2) {
             let (left, right) = (&sides[0].expr, &sides[1].expr);
@@ -388,15 +400,20 @@ impl Checker {
         found
     }
 
+    /// A checker for a second look, to which nothing but what is known matters.
+    fn aside(&mut self, context: Rc<Context>) -> Checker {
+        let findings = std::mem::take(&mut self.findings);
+        let uses = std::mem::take(&mut self.uses);
+        let other = Checker { context, confirming: true, ..self.clone() };
+        (self.findings, self.uses) = (findings, uses);
+        other
+    }
+
     /// What would be found with other meanings.
-    fn judged_with(&self, appeal: &Appeal, means: &[Means]) -> Option<Vec<Finding>> {
+    fn judged_with(&mut self, appeal: &Appeal, means: &[Means]) -> Option<Vec<Finding>> {
         let Appeal { chain, statement, known, .. } = appeal;
-        let mut other = Checker {
-            context: known.clone(),
-            limits: Limits { steps: Some(setting::share(&self.limits, 2)), ..self.limits.clone() },
-            confirming: true,
-            ..self.clone()
-        };
+        let limits = Limits { steps: Some(setting::share(&self.limits, 2)), ..self.limits.clone() };
+        let mut other = Checker { limits, ..self.aside(known.clone()) };
         for means in means {
             match means {
                 Means::Formula(head, body) => {
