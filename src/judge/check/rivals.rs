@@ -135,20 +135,21 @@ impl Checker {
             }
             _ => return,
         };
-        // "from 0 to 2", "t_0 = 1, t_1 = 3"
-        let number = match &statement.said {
-            Said::Bare(side, _) => Some(&side.expr),
-            Said::Chain(chain) => chain.sides.get(1).map(|side| &side.expr),
-            _ => None,
+        let formula = statement.place.formula;
+        // "from 0 to 2", "t_0 = 1, t_1 = 3"; 0, 2, 5 in one formula are a list.
+        let (number, member) = match &statement.said {
+            Said::Bare(side, _) => (Some(&side.expr), true),
+            Said::Chain(chain) => (chain.sides.get(1).map(|side| &side.expr), false),
+            _ => (None, false),
         };
         let number = number.filter(|expr| evaluator::number(expr).is_some()).cloned();
-        if let Some(to) = &number
-            && let Some(from) = self.last_number.take()
-        {
-            means.extend(interval_between(&from, to));
+        let last = self.last_number.take();
+        let listed = member && last.as_ref().is_some_and(|(other, _)| *other == formula);
+        if let (Some(to), Some((_, Some(from))), false) = (&number, &last, listed) {
+            means.extend(interval_between(from, to));
         }
-        self.last_number = number;
-        let (paragraph, formula) = (statement.place.group, statement.place.formula);
+        self.last_number = number.map(|number| (formula, (!listed).then_some(number)));
+        let paragraph = statement.place.group;
         // 1, 2, 1 are three statements of one formula.
         if let Said::Bare(Side { expr, .. }, _) = &statement.said
             && let (true, []) = (bases(expr).is_empty(), means.as_slice())

@@ -56,8 +56,8 @@ pub struct Checker {
     pub(in crate::judge) before: Mark,
     /// All that was said of what names mean.
     pub(in crate::judge) senses: Vec<Sense>,
-    /// The number that the last formula is or gives.
-    pub(in crate::judge) last_number: Option<Expr>,
+    /// The last formula that is or gives a number, and the number, if it is not one of a list.
+    pub(in crate::judge) last_number: Option<(usize, Option<Expr>)>,
     /// What may be taken back in the end.
     pub(in crate::judge) appeals: Vec<Appeal>,
     /// Whether a repair is judged, for which no other is looked for.
