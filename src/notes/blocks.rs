@@ -168,7 +168,7 @@ pub(super) struct Changes {
     pub(super) so_far: u32,
     /// The letters of which words say for certain that something else stands in their place.
     pub(super) replaced: Vec<String>,
-    /// The letter of the last formula, and whether the words after it replace.
+    /// The last formula, which is read only where words replace it, and whether they replace the next one.
     last: Option<String>,
     replaces: bool,
     /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
@@ -193,7 +193,7 @@ impl Changes {
         let changed = speech::changes_data(words, self.foreign);
         self.so_far += u32::from(ends || changed);
         let [before, after] = speech::replaces_data(words);
-        self.replaced.extend(self.last.take_if(|_| before));
+        self.replaced.extend(self.last.take_if(|_| before).and_then(|text| letter(&text)));
         self.replaces = after;
         self.passing &= !ends;
         self.replacing = changed && !ends && speech::replaces_next(words);
@@ -205,9 +205,9 @@ impl Changes {
         if std::mem::take(&mut self.replacing) && is_power_of_a_variable(text) {
             self.so_far -= 1;
         }
-        self.last = letter(text);
+        self.last = Some(text.to_owned());
         if std::mem::take(&mut self.replaces) {
-            self.replaced.extend(self.last.clone());
+            self.replaced.extend(letter(text));
         }
         // "At the parameter t = 1/4" gives a place.
         let datum = text.split_once('=').is_some_and(|(name, _)| !is_variable(name.trim()));

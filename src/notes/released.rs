@@ -33,19 +33,18 @@ impl<'a> Released<'a> {
         let mut claims = false;
         for statement in statements {
             let words = words_of(statement.place.formula);
-            let releases = speech::releases(&words.left, &words.right);
-            let case = speech::role(&words, false) == Some(Role::Case);
+            let releases = || speech::releases(&words.left, &words.right);
+            let case = || speech::role(&words, false) == Some(Role::Case);
             match &statement.said {
                 Said::Bare(side, _) => {
                     // "If f is convex"
-                    let supposed =
-                        case && matches!(side.expr.kind, Kind::Name(_)) && !words.right.trim().is_empty();
-                    if releases || supposed {
+                    let named = matches!(side.expr.kind, Kind::Name(_)) && !words.right.trim().is_empty();
+                    if releases() || named && case() {
                         own.extend(bases(&side.expr));
                     }
                 }
                 // "For 0 < α < 1"
-                Said::Condition(side) if releases || case => own.extend(bases(&side.expr)),
+                Said::Condition(side) if releases() || case() => own.extend(bases(&side.expr)),
                 Said::Chain(chain) => {
                     claims = true;
                     own.extend(chain.quantified.iter().cloned());

@@ -266,6 +266,10 @@ impl Reader<'_> {
     /// The degrees that the sentence names before its formula.
     fn degrees(&self) -> Topics {
         let mut own = Topics::default();
+        // What the gap names, the section names.
+        if self.topics.degrees().next().is_none() {
+            return own;
+        }
         let last = self.gap.rsplit(['.', '。']).next().unwrap_or_default();
         speech::topics(last, &mut own);
         own

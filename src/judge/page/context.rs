@@ -232,31 +232,39 @@ impl Context {
         self.definitions.push(definition);
     }
 
+    /// The same with some of its definitions and objects only.
+    fn with_only(
+        &self,
+        definitions: impl Fn(&Definition) -> bool,
+        objects: impl Fn(&Declared) -> bool,
+    ) -> Context {
+        let mut other = Context {
+            definitions: Vec::new(),
+            objects: Vec::new(),
+            named: HashMap::new(),
+            seen: RefCell::default(),
+            ..self.clone()
+        };
+        self.definitions.iter().filter(|own| definitions(own)).for_each(|own| other.define(own.clone()));
+        self.objects.iter().filter(|own| objects(own)).for_each(|own| other.declare(own.clone()));
+        other
+    }
+
     /// The same without what words say of some names.
     pub fn without_objects(&self, names: &[String]) -> Context {
-        let mut other = Context { objects: Vec::new(), named: HashMap::new(), ..self.clone() };
-        let own = std::mem::take(&mut other.definitions);
-        own.into_iter().for_each(|own| other.define(own));
         let spoken = |own: &Declared| {
             own.object.names.iter().filter_map(Head::of).any(|head| names.contains(&head.base))
         };
-        self.objects.iter().filter(|own| !spoken(own)).for_each(|own| other.declare(own.clone()));
-        other
+        self.with_only(|_| true, |own| !spoken(own))
     }
 
     /// The same without the definitions of some names.
     pub fn without(&self, names: &[String]) -> Context {
-        let mut other = Context { definitions: Vec::new(), named: HashMap::new(), ..self.clone() };
-        let objects = std::mem::take(&mut other.objects);
-        let kept = self.definitions.iter().filter(|own| !names.contains(&own.head.base));
-        kept.for_each(|own| other.define(own.clone()));
-        objects.into_iter().for_each(|own| other.declare(own));
-        other
+        self.with_only(|own| !names.contains(&own.head.base), |_| true)
     }
 
     /// The same without the values and closed formulas of some names, as an example gives them.
     pub fn without_examples(&self, names: &[String]) -> Context {
-        let mut other = Context::new(self.letters.clone());
         let example = |own: &Definition| match &own.body {
             Body::Formula(body) => {
                 let variables: BTreeSet<String> = own.head.flat().into_iter().flat_map(bases).collect();
@@ -266,16 +274,9 @@ impl Context {
         };
         let value =
             |own: &Expr| value_given(own).is_some_and(|(name, _)| names.iter().any(|own| own == name));
-        for own in self.definitions.iter().filter(|own| !example(own)) {
-            other.define(own.clone());
-        }
-        for own in &self.objects {
-            other.declare(own.clone());
-        }
-        other.conditions = self.conditions.iter().filter(|own| !value(&own.expr)).cloned().collect();
-        other.heard = self.heard.iter().filter(|(_, own)| !value(own)).cloned().collect();
-        other.unread.clone_from(&self.unread);
-        other.contacts.clone_from(&self.contacts);
+        let mut other = self.with_only(|own| !example(own), |_| true);
+        other.conditions.retain(|own| !value(&own.expr));
+        other.heard.retain(|(_, own)| !value(own));
         other
     }
 
