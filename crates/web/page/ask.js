@@ -40,6 +40,7 @@ const Ask = {
     box.addEventListener("keydown", (event) => Ask.key(event));
     box.addEventListener("input", () => {
       Ask.grow();
+      Ask.narrow();
       Ask.complete(false);
     });
     box.addEventListener("blur", () => setTimeout(() => Ask.close(), 150));
@@ -143,7 +144,20 @@ const Ask = {
     return { candidates: [] };
   },
 
+  /** What no longer begins as the word does leaves the list at once: a key pressed before the next answer never takes it. */
+  narrow() {
+    if (!Ask.list) return;
+    const { from, candidates } = Ask.list;
+    const box = byId("prompt");
+    const word = box.value.slice(from, box.selectionStart);
+    const left = candidates.filter((candidate) => candidate.put.startsWith(word));
+    if (word === "" || left.length === 0) Ask.close();
+    else Ask.open(from, left);
+  },
+
+  /** Shows candidates; the one that was chosen stays so. */
   open(from, candidates) {
+    const chosen = Ask.list?.candidates[Ask.chosen]?.put;
     const list = byId("candidates");
     list.replaceChildren(
       ...candidates.map((candidate, i) =>
@@ -154,15 +168,19 @@ const Ask = {
     );
     list.hidden = false;
     Ask.list = { from, candidates };
-    Ask.chosen = -1;
-    const box = byId("prompt");
-    box.setAttribute("aria-expanded", "true");
-    box.removeAttribute("aria-activedescendant");
+    byId("prompt").setAttribute("aria-expanded", "true");
+    Ask.mark(candidates.findIndex((candidate) => candidate.put === chosen));
   },
 
   choose(step) {
     const count = Ask.list.candidates.length;
-    Ask.chosen = Ask.chosen < 0 && step < 0 ? count - 1 : (Ask.chosen + step + count) % count;
+    Ask.mark(Ask.chosen < 0 && step < 0 ? count - 1 : (Ask.chosen + step + count) % count);
+  },
+
+  /** The candidate that Enter takes, none with -1. */
+  mark(place) {
+    Ask.chosen = place;
+    if (place < 0) return byId("prompt").removeAttribute("aria-activedescendant");
     [...byId("candidates").children].forEach((node, i) => node.setAttribute("aria-selected", String(i === Ask.chosen)));
     byId("prompt").setAttribute("aria-activedescendant", `candidate-${Ask.chosen}`);
     byId(`candidate-${Ask.chosen}`).scrollIntoView({ block: "nearest" });
