@@ -24,6 +24,9 @@ use num_traits::{One, Zero};
 /// Functions that are affine in each of more arguments, and not symmetric, have too many coefficients.
 const MOST_ARGUMENTS: usize = 6;
 
+/// Divided differences of more terms are not written out: those of letters over six nodes have 720.
+const MOST_TERMS_OF_DIFFERENCES: usize = 1000;
+
 /// The degree of unknown functions that no polar form gives a degree.
 const USUAL_DEGREE: usize = 3;
 
@@ -421,23 +424,30 @@ impl Model {
         let values: Vec<(Symbol, Fraction)> = places.iter().cloned().zip(nodes.iter().cloned()).collect();
         let symbol = |place: &Symbol| Fraction::from(MultiPoly::symbol(place.clone()));
         let nodes = if repeated { places.iter().map(symbol).collect() } else { nodes };
-        let mut sum = zero();
-        for (i, x) in nodes.iter().enumerate() {
+        let mut row = Vec::with_capacity(nodes.len());
+        for x in &nodes {
             let value = self.apply(machine, function, &[vec![Value::Scalar(x.clone())]], expr)?;
-            let Value::Scalar(mut term) = value else {
+            let Value::Scalar(value) = value else {
                 return Err(unclear("what the values of this function are", expr));
             };
-            for (j, y) in nodes.iter().enumerate() {
-                if i != j {
-                    let quotient = arithmetic::divide(Value::Scalar(term), Value::Scalar(x.minus(y)))?;
-                    let Value::Scalar(next) = quotient else {
-                        return Err(unclear("what this quotient is", expr));
-                    };
-                    term = next;
-                }
-            }
-            sum = sum.plus(&term);
+            row.push(value);
         }
+        for k in 1..nodes.len() {
+            // Of a function whose values are letters it has as many terms as k + 1 nodes have orders.
+            if row.iter().any(|entry| entry.numerator().len() > MOST_TERMS_OF_DIFFERENCES) {
+                return Err(unclear("what a divided difference of so many nodes is", expr));
+            }
+            for i in 0..row.len() - 1 {
+                let rise = Value::Scalar(row[i + 1].minus(&row[i]));
+                let run = Value::Scalar(nodes[i + k].minus(&nodes[i]));
+                let Value::Scalar(entry) = arithmetic::divide(rise, run)? else {
+                    return Err(unclear("what this quotient is", expr));
+                };
+                row[i] = entry;
+            }
+            row.pop();
+        }
+        let mut sum = row.pop().unwrap_or_else(zero);
         if repeated {
             sum = sum.substitute(&values).map_err(|_| division_by_zero())?;
         }
