@@ -83,6 +83,15 @@ const WRONG: &[&str] = &[
 
 const NOT: &[&str] = &["not", "never", "nicht", "nie", "pas", "kein", "keine"];
 
+/// How words begin with which something is said to be so, besides those for what is true.
+const SAYS: &[&str] = &[
+    "mean", "impl", "follow", "hold", "equal", "entail", "heißt", "heissen", "bedeutet", "folgt", "gilt",
+    "impliqu", "signifi", "entraîn", "résult", "意味", "表示", "说明", "推出", "等于",
+];
+
+/// So many words may stand between such a word and the one that denies it.
+const BETWEEN: usize = 2;
+
 /// Mistakes that a sentence may tell of at length.
 const MISTAKES: &[&str] = &[
     "mistake",
@@ -174,13 +183,30 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let ends: &[char] = if infinitive { &[';', ':'] } else { &[',', ';', ':', '，', '；', '：', '('] };
     let clause = left.rsplit(ends).next().unwrap_or_default();
     let verb = |word: &str| UNREAL.contains(&word) || CONDITIONAL.iter().any(|end| word.ends_with(end));
-    if clause.split(' ').any(verb) || calls_wrong(clause) || BELIEVED.iter().any(|cue| clause.contains(cue)) {
+    let believed = BELIEVED.iter().any(|cue| clause.contains(cue));
+    if clause.split(' ').any(verb) || calls_wrong(clause) || believed || says_it_is_not(clause) {
         return true;
     }
     let right = normal(right);
     let clause = right.split(['.', ';', '。', '；']).next().unwrap_or_default();
     let near: String = clause.split(' ').take(7).collect::<Vec<_>>().join(" ");
-    !joins(&near) && calls_wrong(&near)
+    let first = near.split([',', '，']).next().unwrap_or_default();
+    !joins(&near) && (calls_wrong(&near) || says_it_is_not(first))
+}
+
+/// "Not right is", "does not mean that", "gilt nicht", "n'implique pas", but not "it is not hard to see that".
+fn says_it_is_not(clause: &str) -> bool {
+    let says = |word: &&str| TRUE.iter().chain(SAYS).any(|cue| word.starts_with(cue));
+    let words: Vec<&str> = clause.split_whitespace().collect();
+    let denied = words.iter().enumerate().any(|(at, word)| {
+        let near = &words[at.saturating_sub(BETWEEN)..words.len().min(at + BETWEEN + 1)];
+        NOT.contains(word) && near.iter().any(says)
+    });
+    denied
+        || clause.match_indices('不').any(|(at, not)| {
+            let rest = clause.piece(at + not.len()..);
+            TRUE.iter().chain(SAYS).any(|cue| !cue.is_ascii() && rest.starts_with(cue))
+        })
 }
 
 /// Whether words deny what follows them: "but not".
