@@ -277,3 +277,22 @@ pub(super) fn count_new_values(statements: &mut [Statement]) {
         more += u32::from(before.is_some_and(|before| before.0 == now.0 && before.1 != now.1));
     }
 }
+
+/// The number of the last part that words begin: 'b' of "Solution. a) …; b) …". A part has the same number wherever it
+/// is told of, in an exercise and in its solution. "By (a)" begins none.
+pub(super) fn lettered_part(words: &str, first: bool) -> Option<u32> {
+    let mut found = None;
+    let mut begins = first;
+    for word in words.split(' ') {
+        let plain = word.trim_start_matches(['*', '_', '(', '（', '\n']);
+        let mut letters = plain.chars();
+        if let (Some(letter @ 'a'..='z'), Some(')' | '）')) = (letters.next(), letters.next())
+            && (begins || word.starts_with('\n'))
+        {
+            found = Some(u32::MAX - u32::from(letter));
+        }
+        let ended = word.trim_end_matches(['*', '_']);
+        begins = begins && ended.is_empty() || ended.ends_with(['.', ',', ';', ':', '。', '，', '；', '：', '\n']);
+    }
+    found
+}

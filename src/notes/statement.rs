@@ -4,7 +4,7 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
-use super::blocks::{Blocks, Changes, count_new_values};
+use super::blocks::{Blocks, Changes, count_new_values, lettered_part};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
@@ -53,6 +53,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         formula: 0,
         changes: Changes::of(&words),
         apart: None,
+        part: None,
         table: Table::default(),
     };
     for item in &document.items {
@@ -96,6 +97,8 @@ struct Reader<'a> {
     changes: Changes,
     /// The paragraph with a title of its own.
     apart: Option<u32>,
+    /// The part of a paragraph: "a) …, b) …".
+    part: Option<u32>,
     table: Table,
 }
 
@@ -146,6 +149,7 @@ impl Reader<'_> {
                 if !self.begun && label != Some(Block::Proof) && speech::sets_apart(words) {
                     self.apart = Some(self.next_scope);
                 }
+                self.part = lettered_part(words, !self.begun).or(self.part);
                 self.blocks.runs(words, !self.begun, self.next_scope, &mut self.statements);
                 self.changes.words(words);
                 self.begun |= !words.trim().is_empty();
@@ -263,14 +267,14 @@ impl Reader<'_> {
         near
     }
 
-    /// The degrees that the sentence names before its formula.
+    /// The degrees that the sentence names before its formula, with whatever formulas between.
     fn degrees(&self) -> Topics {
         let mut own = Topics::default();
         // What the gap names, the section names.
         if self.topics.degrees().next().is_none() {
             return own;
         }
-        let last = self.gap.rsplit(['.', '。']).next().unwrap_or_default();
+        let last = self.last.rsplit(['.', '。']).next().unwrap_or_default();
         speech::topics(last, &mut own);
         own
     }
@@ -280,13 +284,16 @@ impl Reader<'_> {
         self.changes.paragraph();
         self.ended = false;
         self.begun = false;
+        self.part = None;
+        // No sentence goes on.
+        self.last.push('.');
         self.blocks.recalled = None;
     }
 
-    /// The numbers of the items of lists that are open, and of a paragraph with a title.
+    /// The numbers of the items of lists that are open, of a paragraph with a title, and of a part of a paragraph.
     fn items(&self) -> Vec<u32> {
         let items = self.enclosures.iter().filter(|(own, _)| *own == Enclosure::Item);
-        self.apart.into_iter().chain(items.map(|(_, scope)| *scope)).collect()
+        self.apart.into_iter().chain(items.map(|(_, scope)| *scope)).chain(self.part).collect()
     }
 
     fn place(&self) -> Place {

@@ -19,7 +19,7 @@ use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::judge::values::evaluator;
-use crate::judge::written::names::{Head, bases, capital_of, underived, walk};
+use crate::judge::written::names::{Head, bases, capital_of, is_index_letter, underived, walk};
 
 /// Whether an equation says all of a name: a number, or a formula in its variables.
 fn is_meaning(head: &Head, body: &Expr) -> bool {
@@ -232,7 +232,7 @@ impl Checker {
                     break;
                 }
             }
-            if let Some(line) = self.line_of_another(&appeal) {
+            if let Some(line) = self.line_of_another(&appeal, &senses) {
                 let own = &mut self.findings[appeal.first];
                 let other =
                     format!("it may be another function: line {line} gives this name another formula");
@@ -288,18 +288,34 @@ impl Checker {
     }
 
     /// The line with the formula of a function that another sentence gives a second formula, without a word that would
-    /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …".
-    fn line_of_another(&self, Appeal { first, chain, statement, known }: &Appeal) -> Option<usize> {
+    /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …". Or after a third one of its own paragraph:
+    /// "For cubics d_i = … , and f = x^2 gives d_i = …", where another paragraph says what d_i is for quadratics.
+    fn line_of_another(
+        &self,
+        Appeal { first, chain, statement, known }: &Appeal,
+        senses: &[Sense],
+    ) -> Option<usize> {
+        let place = &statement.place;
         let refuted = self.findings[*first].verdict == Verdict::Refuted;
-        let silent = matches!(statement.role, None | Some(Role::Introduced)) && !chain.universal;
-        let whole = |head: &Head| {
-            let named = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name));
-            head.arguments.is_some() && head.flat().iter().all(named)
+        let named = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name) || is_index_letter(name));
+        let any = |head: &Head| !head.flat().is_empty() && head.flat().iter().all(named);
+        let renewed = |head: &Head| {
+            let anew = senses.iter().any(|sense| {
+                let same = |own: &Head| own.base == head.base && any(own) && own.flat().len() == head.flat().len();
+                sense.paragraph == place.group
+                    && sense.formula < place.formula
+                    && matches!(&sense.means, Means::Formula(own, _) if same(own))
+            });
+            let mut given = known.visible(&head.base, place);
+            any(head) && anew && given.all(|(_, own, _)| own.place.group != place.group)
         };
-        let head = Head::of(&chain.sides[0].expr).filter(|head| refuted && silent && whole(head))?;
+        let silent = matches!(statement.role, None | Some(Role::Introduced)) && !chain.universal;
+        let whole = |head: &Head| head.arguments.is_some() && any(head);
+        let head = Head::of(&chain.sides[0].expr)
+            .filter(|head| refuted && (silent && whole(head) || renewed(head)))?;
         let mut given = known.visible(&head.base, &statement.place);
         given.find_map(|(_, own, near)| {
-            let same = near && own.head.flat().len() == head.flat().len() && whole(&own.head);
+            let same = near && own.head.flat().len() == head.flat().len() && any(&own.head);
             (same && own.head.lower.len() == head.lower.len()).then_some(own.line)
         })
     }

@@ -16,7 +16,7 @@ use crate::judge::instances::setting;
 use crate::judge::instances::tally::Failure;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
-use crate::judge::page::context::{Body, Condition, Mark};
+use crate::judge::page::context::{Body, Condition, Mark, value_given};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::UNNAMED;
 use crate::judge::page::statement::{Chain, Role, Side, Statement};
@@ -68,7 +68,18 @@ impl Checker {
             Body::Formula(body) => (definition.head.clone(), body.clone()),
             Body::Value(_) => return,
         };
-        // A number in passing, h = 1, is no formula for it, nor is one for a part of the range, or s(x) = s(2 - x).
+        // A number in passing, h = 1, is no formula for it, nor is one for a part of the range, s(x) = s(2 - x), or a value
+        // at points that have names.
+        let place = &statement.place;
+        let point = |argument: &Expr| {
+            let Kind::Name(letter) = &argument.kind else { return false };
+            let mut given = self.context.conditions.iter().filter(|one| place.knows(&one.place, one.assumed));
+            self.context.visible(letter, place).next().is_some()
+                || given.any(|one| value_given(&one.expr).is_some_and(|(name, _)| name == letter))
+        };
+        if head.flat().into_iter().any(point) {
+            return;
+        }
         let whole = chain.conditions.is_empty() && !calls(&right, &head.base);
         let formula = whole && head.arguments.is_some()
             || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
