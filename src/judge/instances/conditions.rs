@@ -43,7 +43,14 @@ impl Conditions<'_> {
         let domain = if tally.record.unit { Domain::Unit } else { Domain::Reals };
         let plain = compare::relation(rel, left, right, &ranges, domain);
         if !matches!(plain, Outcome::Fails(_)) {
-            return plain;
+            // "For every t", without a range
+            let everywhere = domain == Domain::Unit
+                && trial.is_for_every_number(&ranges)
+                && matches!(compare::relation(rel, left, right, &ranges, Domain::Reals), Outcome::Fails(_));
+            return match everywhere {
+                true => Outcome::Unclear("it holds from 0 to 1, but for every number it is said".to_owned()),
+                false => plain,
+            };
         }
         if rel == Rel::Eq
             && let Some(outcome) = self.by_contact(trial, left, right, bound, degree, tally)

@@ -3,7 +3,7 @@
 use crate::language::lexicon::roles;
 use std::collections::BTreeSet;
 
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, Sign};
 use crate::judge::instances::trial::Trial;
 use crate::judge::page::context::Body;
 use crate::judge::values::evaluator;
@@ -104,6 +104,26 @@ impl Trial<'_> {
         names.into_iter().collect()
     }
 
+    /// What a condition says an integer is the sum of: i + j + k for n.
+    pub(in crate::judge) fn as_sum(&self, name: &str, integers: &[String]) -> Option<Expr> {
+        let sum = |condition: &Expr| {
+            let Kind::Chain(left, links) = &condition.kind else { return None };
+            let [link] = links.as_slice() else { return None };
+            let (own, sum) = match (&left.kind, &link.expr.kind) {
+                (Kind::Name(own), Kind::Add(_)) => (own, &link.expr),
+                (Kind::Add(_), Kind::Name(own)) => (own, left.as_ref()),
+                _ => return None,
+            };
+            let Kind::Add(terms) = &sum.kind else { return None };
+            let letters = terms.iter().all(|term| {
+                term.sign == Sign::Plus
+                    && matches!(&term.expr.kind, Kind::Name(other) if other != name && integers.contains(other))
+            });
+            (link.rel == Rel::Eq && own == name && letters).then(|| sum.clone())
+        };
+        self.conditions.iter().chain(self.hypotheses()).find_map(sum)
+    }
+
     /// The value that a condition of the chain gives an integer: n = 2.
     pub(in crate::judge) fn fixed(&self, name: &str) -> Option<i64> {
         self.conditions.iter().find_map(|condition| match &condition.kind {
@@ -142,33 +162,60 @@ pub(in crate::judge) fn is_inner(bound: &[(String, i64)]) -> bool {
     })
 }
 
-/// The largest values of the indices of Bernstein polynomials whose degree is a number: 3 for the i of B_i^3.
-pub(in crate::judge) fn last_values(sides: &[&Expr]) -> Vec<(String, i64)> {
+/// The largest values of indices, as Bernstein polynomials and binomial coefficients tell them: 3 for the i of B_i^3, m for
+/// that of B_i^m.
+pub(in crate::judge) fn last_values(sides: &[&Expr]) -> Vec<(String, Expr)> {
     let mut found = Vec::new();
+    let mut pair = |index: &Expr, last: &Expr| {
+        // In B_{n,0} the degree comes first.
+        if let Kind::Name(name) = &index.kind
+            && !roles::is_size(name)
+        {
+            found.push((name.clone(), last.clone()));
+        }
+    };
     for side in sides {
         walk(side, &mut |part| {
+            if let Kind::Binomial(upper, lower, _) = &part.kind {
+                return pair(lower, upper);
+            }
             let Some(head) = Head::of(part).filter(Head::is_bernstein) else { return };
-            let (index, degree) = match (head.lower.as_slice(), head.upper.as_slice()) {
-                ([index], [degree]) | ([index, degree], []) => (index, degree.as_int()),
-                _ => return,
-            };
-            // In B_{n,0} the degree comes first.
-            if let (Kind::Name(name), Some(degree)) = (&index.kind, degree)
-                && !roles::is_size(name)
-            {
-                found.push((name.clone(), degree));
+            if let ([index], [degree]) | ([index, degree], []) = (head.lower.as_slice(), head.upper.as_slice()) {
+                pair(index, degree);
             }
         });
     }
     found
 }
 
-/// Whether an index is greater than the least size, or than its last value.
-pub(in crate::judge) fn is_outside(bound: &[(String, i64)], last: &[(String, i64)]) -> bool {
-    let beyond = |(name, value): &(String, i64)| last.iter().any(|(own, most)| own == name && value > most);
-    if bound.iter().any(beyond) {
-        return true;
+/// Whether an index is greater than its last value, or than the least size, if no index has a last value.
+pub(in crate::judge) fn is_outside(bound: &[(String, i64)], last: &[(String, Expr)]) -> bool {
+    let mut told = false;
+    for (name, most) in last {
+        let Some((_, value)) = bound.iter().find(|(own, _)| own == name) else { continue };
+        let most = evaluator::machine().with_locals(as_values(bound), |machine| machine.eval_int(most));
+        let Ok(most) = most else { continue };
+        told = true;
+        if *value > most {
+            return true;
+        }
     }
     let least = bound.iter().filter(|(name, _)| roles::is_size(name)).map(|(_, value)| *value).min();
-    least.is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
+    !told && least.is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
+}
+
+/// The letters for which 0 may not be meant where nothing is said: sizes, and those of which something less is written,
+/// as the i of B_{i-1}, or that something is divided by.
+pub(in crate::judge) fn may_begin_with_one(sides: &[&Expr]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let names = |expr: &Expr| bases(expr).into_iter().filter(|name| is_index_letter(name));
+    for side in sides {
+        found.extend(names(side).filter(|name| roles::is_size(name)));
+        walk(side, &mut |part| match &part.kind {
+            Kind::Add(terms) if terms.iter().any(|term| term.sign == Sign::Minus) => found.extend(names(part)),
+            Kind::Div(_, below, _) => found.extend(names(below)),
+            _ => {}
+        });
+    }
+    found
 }

@@ -51,6 +51,8 @@ pub struct Tally {
     pub nonzero: usize,
     /// Those among them in which nothing is extreme.
     pub holds_inner: usize,
+    /// Those among them with positive integers, none of them beyond a size, and sides that are not zero unless it says so.
+    pub holds_proper: usize,
     /// Instances in which it fails.
     pub fails: Vec<Failure>,
     /// Why instances could not be compared.

@@ -37,6 +37,9 @@ const LARGEST_DEGREE: usize = 4;
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 
+/// The same for inequalities between numbers.
+const LARGEST_OF_NUMBERS: [i64; 6] = [0, 30, 14, 4, 2, 2];
+
 /// More instances than this are not tried.
 const MOST: usize = 260;
 
@@ -61,7 +64,7 @@ pub struct Trial<'a> {
     /// What its names mean, before an instance fixes degree and parameter.
     reading: Model,
     /// The last values that its sides allow for indices.
-    last: Vec<(String, i64)>,
+    last: Vec<(String, Expr)>,
     /// What its conditions are in an instance.
     memo: Memo,
 }
@@ -132,10 +135,23 @@ impl<'a> Trial<'a> {
         }
     }
 
+    /// Whether it is said of every value of a variable for which no condition gives a range.
+    pub(in crate::judge) fn is_for_every_number(&self, conditions: &[Expr]) -> bool {
+        let ranged = |name: &String| conditions.iter().any(|condition| bases(condition).contains(name));
+        self.quantified.iter().any(|name| is_variable(name) && !is_index_letter(name) && !ranged(name))
+    }
+
     fn run_some(&self, count: Option<usize>, more: i64) -> Outcomes {
         let integers = self.integers();
         let splines = self.has_pieces();
-        let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
+        // n = i + j + k
+        let sums: Vec<Option<Expr>> = integers.iter().map(|name| self.as_sum(name, &integers)).collect();
+        let free = sums.iter().filter(|sum| sum.is_none()).count();
+        // n! ≤ 3^n fails late.
+        let numbers = self.sides.iter().all(|side| bases(side).iter().all(|name| integers.contains(name)));
+        let equality = self.relations.iter().all(|rel| matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define));
+        let tried = if numbers && !equality { LARGEST_OF_NUMBERS } else { LARGEST };
+        let largest = tried.get(free).copied().unwrap_or(1);
         let largest = if splines { largest.min(3) } else { largest } + more;
         let mut outcomes = Outcomes {
             tallies: self.relations.iter().map(|_| Tally::default()).collect(),
@@ -156,10 +172,18 @@ impl<'a> Trial<'a> {
         let mut all: Vec<Vec<i64>> = Vec::new();
         let mut values = vec![0i64; integers.len()];
         loop {
-            let free = values.iter().zip(&fixed).all(|(value, fixed)| fixed.is_none() || *value == 0);
-            if free {
-                let own = values.iter().zip(&fixed).map(|(value, fixed)| fixed.unwrap_or(*value));
-                all.push(own.collect());
+            let chosen = |at: usize| fixed[at].is_none() && sums[at].is_none();
+            if values.iter().enumerate().all(|(at, value)| chosen(at) || *value == 0) {
+                let mut own: Vec<i64> =
+                    values.iter().zip(&fixed).map(|(value, fixed)| fixed.unwrap_or(*value)).collect();
+                let named: Vec<(String, i64)> = integers.iter().cloned().zip(own.iter().copied()).collect();
+                for (at, sum) in sums.iter().enumerate() {
+                    let Some(sum) = sum else { continue };
+                    let sum = evaluator::machine()
+                        .with_locals(as_values(&named), |machine| machine.eval_int(sum));
+                    own[at] = sum.unwrap_or_default();
+                }
+                all.push(own);
             }
             if !advance(&mut values, largest) {
                 break;
@@ -167,12 +191,14 @@ impl<'a> Trial<'a> {
         }
         // Small ones first: large ones are left out if they take long.
         all.sort_by_key(|values| values.iter().sum::<i64>());
-        // Those at the ends of ranges and those within take turns.
+        // Those with zeros or beyond a size and the others take turns.
         let named = |values: &Vec<i64>| -> Vec<(String, i64)> {
             integers.iter().cloned().zip(values.iter().copied()).collect()
         };
-        let (inner, outer): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|values| is_inner(&self.free(&named(values))));
+        let (inner, outer): (Vec<_>, Vec<_>) = all.into_iter().partition(|values| {
+            let bound = named(values);
+            values.iter().all(|value| *value > 0) && !is_outside(&self.free(&bound), &self.last)
+        });
         let (mut inner, mut outer) = (inner.into_iter(), outer.into_iter());
         let turns = std::iter::from_fn(|| match (inner.next(), outer.next()) {
             (None, None) => None,
@@ -417,6 +443,9 @@ impl<'a> Trial<'a> {
                     tally.holds += 1;
                     tally.nonzero += usize::from(!is_zero(left));
                     tally.holds_inner += usize::from(inner);
+                    let positive = bound.iter().all(|(_, value)| *value > 0) && !is_outside(&free, &self.last);
+                    let seen = !is_zero(left) || self.says_zero(at);
+                    tally.holds_proper += usize::from(positive && seen);
                 }
                 // t = arcsin 0 = 0: what stands between is not understood.
                 Outcome::Fails(_) if left_at != Some(at) => {

@@ -3,13 +3,14 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
+use crate::judge::instances::integers::may_begin_with_one;
 use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::{Outcomes, Tally};
 use crate::judge::known::checker::Checker;
 use crate::judge::model::{Ambiguity, Choices};
 use crate::judge::page::context::Body;
 use crate::judge::page::statement::{Chain, Curve};
-use crate::judge::written::names::{Head, own_names, walk};
+use crate::judge::written::names::{Head, bases, own_names, walk};
 
 /// An attempt to judge a chain under one way of reading it.
 pub struct Attempt {
@@ -239,25 +240,20 @@ fn sums_over_first(expr: &Expr) -> bool {
 /// A relation that fails only where it is not meant: for integers that are 0, or for indices beyond
 /// the degree. Nothing is restricted if the file itself says for which integers it holds.
 pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
-    let enough = tally.holds_inner >= 2 || tally.holds >= 6;
     if tally.fails.is_empty()
-        || !enough
+        || tally.holds_proper < 2
         || outcomes.integers.is_empty()
         || tally.fails.len() > tally.holds.max(12)
     {
         return None;
     }
-    let ranges = chain.conditions.iter().any(|condition| {
-        matches!(&condition.kind, Kind::Chain(_, links)
-            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))))
-    });
     if tally.fails.iter().all(|failure| failure.outside) {
         return Some("true for indices from 0 to the degree");
     }
-    if ranges {
-        return None;
-    }
-    let zero = |integers: &[(String, i64)]| integers.iter().any(|(_, value)| *value == 0);
+    let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
+    let mut free = may_begin_with_one(&sides);
+    free.retain(|name| !chain.conditions.iter().any(|condition| bases(condition).contains(name)));
+    let zero = |integers: &[(String, i64)]| integers.iter().any(|(name, value)| *value == 0 && free.contains(name));
     tally
         .fails
         .iter()
