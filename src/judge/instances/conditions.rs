@@ -46,7 +46,7 @@ impl Conditions<'_> {
             // "For every t", without a range
             let everywhere = domain == Domain::Unit
                 && trial.is_for_every_number(&ranges)
-                && matches!(compare::relation(rel, left, right, &ranges, Domain::Reals), Outcome::Fails(_));
+                && !matches!(compare::relation(rel, left, right, &ranges, Domain::Reals), Outcome::Holds);
             return match everywhere {
                 true => Outcome::Unclear("it holds from 0 to 1, but for every number it is said".to_owned()),
                 false => plain,
