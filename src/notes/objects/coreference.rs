@@ -149,7 +149,7 @@ impl Reader<'_> {
     }
 
     /// Whether the words before a verb speak of a part of a curve.
-    fn is_part(&self, verb: usize) -> bool {
+    pub(super) fn is_part(&self, verb: usize) -> bool {
         let Some(Token::Unknown(words)) = verb.checked_sub(1).map(|subject| &self.tokens[subject]) else {
             return false;
         };

@@ -444,6 +444,11 @@ impl Told<'_> {
                     vec![first.clone(); count]
                 }
             },
+            // "The curve with the control points …, split at t = 1/3. Its left part …"
+            [(part, _), ..] if count == 1 && families[0].at < *part => {
+                let [] = intervals.as_slice() else { return None };
+                vec![unit]
+            }
             parts if parts.len() == count || parts.len() + 1 == count => {
                 let whole = match intervals.as_slice() {
                     [] => unit,
@@ -456,7 +461,7 @@ impl Told<'_> {
                     true => (middle.clone(), whole.1.clone()),
                 };
                 let first = (parts.len() < count).then(|| whole.clone());
-                first.into_iter().chain(parts.iter().map(part)).collect()
+                first.into_iter().chain(parts.iter().map(|(_, second)| part(second))).collect()
             }
             _ => return None,
         };
@@ -503,8 +508,8 @@ impl Told<'_> {
         found.iter().all(|points| points.degree.is_some()).then_some(found)
     }
 
-    /// The parts that are spoken of in their order: true for the second one.
-    fn parts(&self) -> Vec<bool> {
+    /// The parts that are spoken of, each with its place, in their order: true for the second one.
+    fn parts(&self) -> Vec<(usize, bool)> {
         let mut found = Vec::new();
         for (at, sign) in self.all.iter().enumerate() {
             let second = match sign {
@@ -524,7 +529,7 @@ impl Told<'_> {
             let told = self.all[..at].iter().any(part);
             // "Die linke Hälfte … die rechte", "左段 … 右段的"
             if after || before || told {
-                found.push(second);
+                found.push((at, second));
             }
         }
         found
