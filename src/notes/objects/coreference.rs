@@ -150,12 +150,19 @@ impl Reader<'_> {
 
     /// Whether the words before a verb speak of a part of a curve.
     pub(super) fn is_part(&self, verb: usize) -> bool {
-        let Some(Token::Unknown(words)) = verb.checked_sub(1).map(|subject| &self.tokens[subject]) else {
-            return false;
-        };
-        let mut topics = Topics::default();
-        speech::topics(words, &mut topics);
-        [Topic::Half, Topic::Second, Topic::Subdivision].into_iter().any(|topic| topics.has(topic))
+        match verb.checked_sub(1).map(|subject| &self.tokens[subject]) {
+            Some(Token::Unknown(words)) => {
+                let mut topics = Topics::default();
+                speech::topics(words, &mut topics);
+                [Topic::Half, Topic::Second, Topic::Subdivision].into_iter().any(|topic| topics.has(topic))
+            }
+            // The pieces of a spline have points of their own, too.
+            Some(Token::Word(Word::Piece)) => {
+                let spline = |known: &Object| known.sort == Sort::SplineCurve;
+                matches!(self.talk.topic.as_slice(), [owner] if !self.known(owner).as_ref().is_some_and(spline))
+            }
+            _ => false,
+        }
     }
 
     /// "The same curve has the control points …"
