@@ -14,7 +14,7 @@ use crate::judge::instances::setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::definable;
 use crate::judge::known::senses::{Appeal, Means, Sense};
-use crate::judge::page::context::{Body, Context, Definition, Mark, Source, is_variable, value_given};
+use crate::judge::page::context::{Body, Context, Definition, Mark, Source, is_only_about, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Object;
 use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
@@ -260,18 +260,18 @@ impl Checker {
     ) {
         let holds = |finding: &Finding| matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
         let place = &statement.place;
-        let given = |name: &String| {
-            let value = |own: &Expr| value_given(own).is_some_and(|(own, _)| own == name);
-            self.context.visible(name, place).next().is_some()
-                || self.context.conditions.iter().any(|own| value(&own.expr))
-                || self.context.heard.iter().any(|(_, own)| value(own))
+        let released = &statement.released;
+        let given = || {
+            released.iter().any(|name| self.context.visible(name, place).next().is_some())
+                || self.context.conditions.iter().any(|own| is_only_about(&own.expr, released))
+                || self.context.heard.iter().any(|(_, own)| is_only_about(own, released))
         };
-        if !findings.iter().any(holds) || !statement.released.iter().any(given) {
+        if released.is_empty() || !findings.iter().any(holds) || !given() {
             return;
         }
         let mut known = self.context.clone();
         Rc::make_mut(&mut known).forget(before);
-        let other = known.without_examples(&statement.released);
+        let other = known.without_examples(released);
         if other.mark() == known.mark() && other.heard.len() == known.heard.len() {
             return;
         }

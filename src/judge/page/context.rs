@@ -8,7 +8,7 @@ use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::page::letters::Letters;
 use crate::judge::page::object::Declared;
 use crate::judge::page::statement::{Contact, Place};
-use crate::judge::written::names::{Head, bases};
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::families;
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
@@ -174,6 +174,13 @@ pub(in crate::judge) fn value_given(equation: &Expr) -> Option<(&str, &Expr)> {
     }
 }
 
+/// Whether an equation is one about some names and nothing else: p = 2, a + b = 1.
+pub(in crate::judge) fn is_only_about(equation: &Expr, names: &[String]) -> bool {
+    let equates = matches!(&equation.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
+    let mut letters = bases(equation).into_iter().filter(|name| !is_index_letter(name)).peekable();
+    equates && letters.peek().is_some() && letters.all(|letter| names.contains(&letter))
+}
+
 impl Context {
     /// Nothing known but how letters are used.
     pub fn new(letters: Letters) -> Self {
@@ -267,16 +274,16 @@ impl Context {
     pub fn without_examples(&self, names: &[String]) -> Context {
         let example = |own: &Definition| match &own.body {
             Body::Formula(body) => {
+                // p(t) = t^2, b_1 = b_0
                 let variables: BTreeSet<String> = own.head.flat().into_iter().flat_map(bases).collect();
-                names.contains(&own.head.base) && bases(body).is_subset(&variables)
+                let known = |name: &String| variables.contains(name) || names.contains(name);
+                names.contains(&own.head.base) && bases(body).iter().all(known)
             }
             Body::Value(_) => names.contains(&own.head.base),
         };
-        let value =
-            |own: &Expr| value_given(own).is_some_and(|(name, _)| names.iter().any(|own| own == name));
         let mut other = self.with_only(|own| !example(own), |_| true);
-        other.conditions.retain(|own| !value(&own.expr));
-        other.heard.retain(|(_, own)| !value(own));
+        other.conditions.retain(|own| !is_only_about(&own.expr, names));
+        other.heard.retain(|(_, own)| !is_only_about(own, names));
         other
     }
 

@@ -501,7 +501,7 @@ pub(super) const RECALLS: Recalls = Recalls {
     last: &["上", "前", "上面的", "上述", "前面的"],
     compared: &["如", "见"],
     running: &["例如", "比如", "譬如", "举例"],
-    general: &["一般", "对任意"],
+    general: &["一般", "对任意", "去掉这", "若不要求", "非均匀"],
     changed: &[
         "改",
         "换",

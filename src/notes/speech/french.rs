@@ -613,7 +613,7 @@ pub(super) const RECALLS: Recalls = Recalls {
     last: &["dans l", "pour l", "de l", "dans notre"],
     compared: &["comme", "voir"],
     running: &["par exemple", "exemple numérique", "à titre d'exemple"],
-    general: &["en général", "le cas général", "général", "quelconque"],
+    general: &["en général", "le cas général", "général", "quelconque", "sans cette", "non uniforme"],
     changed: &[
         "remplac",
         "au lieu",

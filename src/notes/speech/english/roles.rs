@@ -294,7 +294,17 @@ pub(in crate::notes::speech) const RECALLS: Recalls = Recalls {
     ],
     compared: &["as", "like", "see"],
     running: &["for example", "for instance", "as an example", "numerical example"],
-    general: &["in general", "general", "arbitrary"],
+    general: &[
+        "in general",
+        "general",
+        "arbitrary",
+        "without this",
+        "without that",
+        "without the assum",
+        "drop th",
+        "non-uniform",
+        "nonuniform",
+    ],
     changed: &[
         "replac",
         "instead",

@@ -394,7 +394,7 @@ pub(super) const RECALLS: Recalls = Recalls {
         "zahlenbeispiel",
         "als beispiel",
     ],
-    general: &["im allgemeinen", "allgemein", "beliebige"],
+    general: &["im allgemeinen", "allgemein", "beliebige", "ohne diese", "nicht-uniform", "nichtuniform"],
     changed: &[
         "ersetz",
         "statt",
