@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::speech::{self, Around};
-use crate::formula::Kind;
+use crate::formula::{Expr, Kind};
 use crate::judge::page::statement::{Role, Said, Statement};
-use crate::judge::written::names::{bases, walk};
+use crate::judge::written::names::{Head, bases, walk};
 
 /// Names of which a paragraph speaks as of any of their kind.
 pub(super) struct Released<'a> {
@@ -46,6 +46,15 @@ impl<'a> Released<'a> {
                 // "For 0 < α < 1"
                 Said::Condition(side) if releases() || case() => own.extend(bases(&side.expr)),
                 Said::Chain(chain) => {
+                    // "A patch has points b_ij. With b_ij = i j we get …"
+                    let given = matches!(
+                        speech::role(&words, false),
+                        Some(Role::Introduced | Role::Assumed | Role::Case)
+                    );
+                    let named = chain.sides.first().and_then(|side| Head::of(&side.expr));
+                    if let Some(head) = named.filter(|_| given) {
+                        self.names.remove(&head.base);
+                    }
                     claims = true;
                     own.extend(chain.quantified.iter().cloned());
                     // What is said "in general" of a function is said of that one, for other numbers.
@@ -53,7 +62,10 @@ impl<'a> Released<'a> {
                         let mut functions = BTreeSet::new();
                         for side in &chain.sides {
                             walk(&side.expr, &mut |part| {
-                                if let Kind::Apply(callee, _) = &part.kind {
+                                // w_0(1 - t) is a product.
+                                if let Kind::Apply(callee, _) = &part.kind
+                                    && !is_numbered(callee)
+                                {
                                     functions.extend(bases(callee));
                                 }
                             });
@@ -71,4 +83,9 @@ impl<'a> Released<'a> {
             self.names.extend(own);
         }
     }
+}
+
+/// b_0
+fn is_numbered(callee: &Expr) -> bool {
+    matches!(&callee.kind, Kind::Subscript(_, lower) if lower.iter().all(|index| index.as_int().is_some()))
 }

@@ -232,14 +232,14 @@ impl Checker {
                     break;
                 }
             }
-            if let Some(line) = self.line_of_another(&appeal, &senses) {
+            if let Some((line, doubtful)) = self.line_of_another(&appeal, &senses) {
                 let own = &mut self.findings[appeal.first];
                 let other =
                     format!("it may be another function: line {line} gives this name another formula");
                 *own = Finding {
                     verdict: Verdict::Undecided,
                     reason: Some(other),
-                    warning: own.reason.take(),
+                    warning: own.reason.take().filter(|_| doubtful),
                     evidence: Vec::new(),
                     ..own.clone()
                 };
@@ -289,19 +289,21 @@ impl Checker {
 
     /// The line with the formula of a function that another sentence gives a second formula, without a word that would
     /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …". Or after a third one of its own paragraph:
-    /// "For cubics d_i = … , and f = x^2 gives d_i = …", where another paragraph says what d_i is for quadratics.
+    /// "For cubics d_i = … , and f = x^2 gives d_i = …", where another paragraph says what d_i is for quadratics; only the
+    /// first may be a slip.
     fn line_of_another(
         &self,
         Appeal { first, chain, statement, known }: &Appeal,
         senses: &[Sense],
-    ) -> Option<usize> {
+    ) -> Option<(usize, bool)> {
         let place = &statement.place;
         let refuted = self.findings[*first].verdict == Verdict::Refuted;
         let named = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name) || is_index_letter(name));
-        let any = |head: &Head| !head.flat().is_empty() && head.flat().iter().all(named);
+        let places = |head: &Head| -> usize { head.lower.len() + head.flat().len() };
+        let any = |head: &Head| places(head) > 0 && head.lower.iter().chain(head.flat()).all(|one| named(&one));
         let renewed = |head: &Head| {
             let anew = senses.iter().any(|sense| {
-                let same = |own: &Head| own.base == head.base && any(own) && own.flat().len() == head.flat().len();
+                let same = |own: &Head| own.base == head.base && any(own) && places(own) == places(head);
                 sense.paragraph == place.group
                     && sense.formula < place.formula
                     && matches!(&sense.means, Means::Formula(own, _) if same(own))
@@ -313,10 +315,11 @@ impl Checker {
         let whole = |head: &Head| head.arguments.is_some() && any(head);
         let head = Head::of(&chain.sides[0].expr)
             .filter(|head| refuted && (silent && whole(head) || renewed(head)))?;
+        let doubtful = !renewed(&head);
         let mut given = known.visible(&head.base, &statement.place);
         given.find_map(|(_, own, near)| {
             let same = near && own.head.flat().len() == head.flat().len() && any(&own.head);
-            (same && own.head.lower.len() == head.lower.len()).then_some(own.line)
+            (same && own.head.lower.len() == head.lower.len()).then_some((own.line, doubtful))
         })
     }
 

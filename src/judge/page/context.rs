@@ -275,7 +275,8 @@ impl Context {
         let example = |own: &Definition| match &own.body {
             Body::Formula(body) => {
                 // p(t) = t^2, b_1 = b_0
-                let variables: BTreeSet<String> = own.head.flat().into_iter().flat_map(bases).collect();
+                let variables: BTreeSet<String> =
+                    own.head.flat().into_iter().chain(&own.head.lower).flat_map(bases).collect();
                 let known = |name: &String| variables.contains(name) || names.contains(name);
                 names.contains(&own.head.base) && bases(body).iter().all(known)
             }
