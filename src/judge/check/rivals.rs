@@ -173,6 +173,18 @@ impl Checker {
         self.senses.extend(new);
     }
 
+    /// Keeps that the page gives a letter with a usual meaning one of its own.
+    pub(in crate::judge) fn means_its_own(&mut self, base: &str, place: &Place) {
+        self.senses.push(Sense {
+            means: Means::Usual(base.to_owned()),
+            scope: place.scope.clone(),
+            blocks: place.blocks.clone(),
+            paragraph: place.group,
+            formula: place.formula,
+            finding: None,
+        });
+    }
+
     /// Keeps a formula of which a relation is or may become refuted.
     pub(in crate::judge) fn note_appeal(
         &mut self,
@@ -358,6 +370,7 @@ impl Checker {
                         && self.is_of_example(&head.base, known, place)
                 }
                 Means::Object(object) => object.is_function() && !is_meant(object),
+                Means::Usual(_) => true,
                 Means::List(_) | Means::Interval(..) => false,
             };
             let elsewhere = !sense.finding.is_some_and(|finding| own.contains(&finding));
@@ -374,9 +387,13 @@ impl Checker {
         together.sort_by_key(|all| distance(all));
         together.truncate(TRIES / 3);
         alone.truncate(TRIES - together.len());
-        let rival = |senses: &[&Sense]| Rival {
-            what: format!("another {}", senses[0].bases().first().map_or("", String::as_str)),
-            means: senses.iter().map(|sense| sense.means.clone()).collect(),
+        let rival = |senses: &[&Sense]| {
+            let base = senses[0].bases().first().cloned().unwrap_or_default();
+            let what = match senses[0].means {
+                Means::Usual(_) => format!("the usual meaning of {base}, not that"),
+                _ => format!("another {base}"),
+            };
+            Rival { what, means: senses.iter().map(|sense| sense.means.clone()).collect() }
         };
         alone.into_iter().chain(together).map(rival).collect()
     }
@@ -455,6 +472,9 @@ impl Checker {
                     other.define_by(Source::Given, head, body, &[], &statement.place, chain.whole().span);
                 }
                 Means::Object(object) => other.object(object, &statement.place),
+                Means::Usual(base) => {
+                    other.context = Rc::new(other.context.without(std::slice::from_ref(base)));
+                }
                 Means::List(_) | Means::Interval(..) => {}
             }
         }

@@ -39,6 +39,8 @@ pub(in crate::judge) enum Means {
     List(Vec<Expr>),
     /// Two numbers, which may be the ends of an interval.
     Interval(Expr, Expr),
+    /// What everybody means by a letter, to which the page gives a meaning of its own.
+    Usual(String),
 }
 
 impl Sense {
@@ -47,6 +49,7 @@ impl Sense {
         match &self.means {
             Means::Formula(head, _) => vec![head.base.clone()],
             Means::Object(object) => object.names.iter().filter_map(Head::of).map(|head| head.base).collect(),
+            Means::Usual(base) => vec![base.clone()],
             Means::List(_) | Means::Interval(..) => Vec::new(),
         }
     }

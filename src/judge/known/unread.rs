@@ -13,12 +13,14 @@ use crate::judge::page::statement::{Chain, Place};
 use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::families;
 
-/// Names in a chain that was not understood.
+/// Names in a chain that was not understood, or that it gives a meaning of its own.
 #[derive(Clone)]
 pub(in crate::judge) struct Unread {
     names: Vec<String>,
     place: Place,
     line: usize,
+    /// Whether it says what they mean, and not what everybody means.
+    own: bool,
 }
 
 impl Unread {
@@ -29,11 +31,14 @@ impl Unread {
         findings: &[Finding],
         line: usize,
     ) -> Option<Self> {
+        if let Some(own) = family_of_its_own(chain, findings).or_else(|| operator_of_its_own(chain, findings)) {
+            return Some(Unread { names: vec![own], place: place.clone(), line, own: true });
+        }
         let open = findings.iter().all(|finding| finding.verdict == Verdict::Undecided);
         let doubtful = chain.sides.iter().any(|side| side.is_unread() || open && lists_members(&side.expr));
         let read = chain.sides.iter().filter(|side| !side.is_unread()).flat_map(|side| bases(&side.expr));
         let names: Vec<String> = read.filter(|name| doubtful && families::is_family(name)).collect();
-        (!names.is_empty()).then(|| Unread { names, place: place.clone(), line })
+        (!names.is_empty()).then(|| Unread { names, place: place.clone(), line, own: false })
     }
 
     /// Why the usual meaning of one of the names of a relation is in doubt, if it may say what the name is.
@@ -48,8 +53,42 @@ impl Unread {
                 && own.contains(*name)
                 && context.visible(name, place).next().is_none()
         })?;
-        Some(format!("line {} may say what {name} is, and was not understood", self.line))
+        Some(match self.own {
+            true => format!("line {} says of {name} what is not usual", self.line),
+            false => format!("line {} may say what {name} is, and was not understood", self.line),
+        })
     }
+}
+
+/// The letter of a family of which an equation says all that it is, in another way than everybody does: B_i^n(t) = t^i.
+fn family_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
+    let head = Head::of(&chain.sides[0].expr).filter(is_whole_family)?;
+    let first = findings.first()?;
+    let other = first.verdict == Verdict::Refuted || first.warning.is_some();
+    let says = chain.relations.len() == 1 && !bases(&chain.sides[1].expr).contains(&head.base);
+    (other && says && families::has_values(&head.base)).then_some(head.base)
+}
+
+/// The letter of an operator of which an equation says what it does, in another way than everybody does: Δb_i = b_i - b_{i-1}.
+fn operator_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
+    let Kind::Mul(factors) = &chain.sides[0].expr.kind else { return None };
+    let [Expr { kind: Kind::Name(operator), .. }, operand] = factors.as_slice() else { return None };
+    let usual = [families::FORWARD_DIFFERENCE, families::BACKWARD_DIFFERENCE, "D"].contains(&operator.as_str());
+    let letter = |expr: &Expr| matches!(&expr.kind, Kind::Name(_));
+    let any = Head::of(operand).is_some_and(|head| {
+        let mut places = head.lower.iter().chain(&head.upper).chain(head.flat()).peekable();
+        places.peek().is_some() && places.all(letter)
+    });
+    let holds = matches!(findings.first()?.verdict, Verdict::Proved | Verdict::Sampled);
+    let says = chain.relations.len() == 1 && !bases(&chain.sides[1].expr).contains(operator);
+    (usual && any && says && !holds).then(|| operator.clone())
+}
+
+/// Whether a head stands for all members of a family, as functions: B_i^n(t).
+pub(in crate::judge) fn is_whole_family(head: &Head) -> bool {
+    let letter = |expr: &&Expr| matches!(&expr.kind, Kind::Name(_));
+    let mut indices = head.lower.iter().chain(&head.upper).peekable();
+    indices.peek().is_some() && indices.all(|index| letter(&index)) && head.flat().iter().all(|one| letter(one))
 }
 
 /// A column or row of names, [B_1; B_2].

@@ -58,7 +58,7 @@ pub fn is_standard(head: Option<&Head>) -> bool {
     };
     head.is_some_and(|head| {
         let indices = || head.lower.iter().chain(&head.upper);
-        families::has_values(&head.base) && indices().next().is_some() && !indices().any(word)
+        families::has_values(&head.base) && !head.has_its_degree_below() && indices().next().is_some() && !indices().any(word)
     })
 }
 
@@ -88,6 +88,12 @@ fn contradiction(
         let value = write::text(&failure.left.to_expr());
         format!("line {} gives it the value {value}", given.line)
     })
+}
+
+/// The warning that a name is given another meaning than everybody gives it.
+pub fn not_usual(head: &Head, counterexample: Option<String>) -> String {
+    let shown = counterexample.map_or(String::new(), |text| format!(": {text}"));
+    format!("this differs from the usual meaning of {}{shown}", head.base)
 }
 
 /// What a failing relation is, before anything raises a doubt.
@@ -224,12 +230,7 @@ pub fn decide(
         }
         if standard && !property {
             // B_i^n = … that differs from what everybody calls so.
-            let warning = format!(
-                "this differs from the usual meaning of {}{}",
-                head.base,
-                counterexample(&failure).map_or(String::new(), |text| format!(": {text}"))
-            );
-            return Decision::Redefinition(Some(warning));
+            return Decision::Redefinition(Some(not_usual(head, counterexample(&failure))));
         }
         // Let P(t) = t; for P(t) = t^2 …: given anew, by a formula in its argument.
         let variables: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();

@@ -37,6 +37,7 @@ use crate::judge::instances::trial::Trial;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::found::Agreement;
 use crate::judge::known::unfold;
+use crate::judge::known::unread::is_whole_family;
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, Context, Mark};
 use crate::judge::page::finding::{Finding, Verdict};
@@ -69,12 +70,25 @@ impl Checker {
                 continue;
             }
             // a(z) = Σ a_k z^k = (1 + z)^n: what is said of the sum is said of a(z).
+            if self.doubt([at, at + 1], chain, &statement.place).is_some() {
+                continue;
+            }
             let whole = at > 0 && Head::of(&chain.sides[0].expr).is_some();
             let mut lefts = std::iter::once(at).chain(whole.then_some(0));
             let found = budget::run(&limits, || {
                 lefts.find_map(|left| self.by_theorems(chain, left, at, statement, finding))
             });
             let Ok(Some((found, agreement))) = found else { continue };
+            // "Let B_i^n(t) = t^i": what is not usual is warned of.
+            if finding.verdict == Verdict::Definition
+                && found.verdict == Verdict::Refuted
+                && statement.role == Some(Role::Introduced)
+                && Head::of(&chain.sides[0].expr).is_some_and(|head| {
+                    is_whole_family(&head) && !bases(&chain.sides[1].expr).contains(&head.base)
+                })
+            {
+                continue;
+            }
             self.agreements.extend(agreement);
             if joined && found.verdict == Verdict::Refuted {
                 continue;

@@ -7,6 +7,7 @@ use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::Tally;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::{definable, is_root_of};
+use crate::judge::known::unread::is_whole_family;
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, is_variable};
 use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
@@ -395,6 +396,17 @@ impl Checker {
             {
                 **finding = found;
             }
+            // "Let B_i^n(t) = t^i": what everybody calls so is not meant.
+            if let (Judged::Verdict(finding) | Judged::Unfounded(finding, _), Some(head), true) =
+                (&verdict, head, from_start)
+                && finding.verdict == Verdict::Refuted
+                && statement.role == Some(Role::Introduced)
+                && refute::is_standard(Some(head))
+                && is_whole_family(head)
+                && !bases(&chain.sides[1].expr).contains(&head.base)
+            {
+                verdict = Judged::Redefinition(Some(refute::not_usual(head, finding.witness.clone())));
+            }
             // What words say of s does not tell its values: the formula does.
             if let (Judged::Verdict(finding), Some(head), true) = (&verdict, head, from_start)
                 && finding.verdict == Verdict::Undecided
@@ -422,7 +434,10 @@ impl Checker {
                 }
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
-                        if refute::is_standard(Some(head)) && warning.is_some() {
+                        let meant = statement.role == Some(Role::Introduced) && is_whole_family(head);
+                        if meant && warning.is_some() {
+                            self.means_its_own(&head.base, &statement.place);
+                        } else if refute::is_standard(Some(head)) && warning.is_some() {
                             // What everybody calls so keeps its meaning.
                             findings[at].verdict = Verdict::Definition;
                             findings[at].reason = Some(format!("introduces {}", head.base));

@@ -27,6 +27,15 @@ use crate::math::poly::Symbol;
 const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
 
 impl Checker {
+    /// Why the usual meanings of names in two sides are in doubt here.
+    pub(in crate::judge) fn doubt(&self, sides: [usize; 2], chain: &Chain, place: &Place) -> Option<String> {
+        if self.unread.is_empty() {
+            return None;
+        }
+        let own = sides.into_iter().flat_map(|at| bases(&chain.sides[at].expr)).collect();
+        self.unread.iter().rev().find_map(|unread| unread.doubt(&own, &self.context, place))
+    }
+
     pub(in crate::judge) fn verdict(
         &self,
         tally: &Tally,
@@ -47,14 +56,7 @@ impl Checker {
             let held: Vec<usize> = before.map(|(number, _)| number).collect();
             repair::find(self, setting, at, attempt.choices, tally, statement, &held)
         };
-        let doubt = || {
-            let own =
-                bases(&chain.sides[at].expr).into_iter().chain(bases(&chain.sides[at + 1].expr)).collect();
-            self.unread.iter().rev().find_map(|unread| unread.doubt(&own, &self.context, &statement.place))
-        };
-        if !self.unread.is_empty()
-            && let Some(reason) = doubt()
-        {
+        if let Some(reason) = self.doubt([at, at + 1], chain, &statement.place) {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason);
             return Judged::Verdict(Box::new(finding));

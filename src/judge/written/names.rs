@@ -36,7 +36,20 @@ impl Head {
 
     /// The standard notation that it is written in, if it has one.
     pub(in crate::judge) fn notation(&self) -> Option<&'static Notation> {
+        if self.has_its_degree_below() {
+            return None;
+        }
         families::notation(&self.base, self.lower.len(), self.upper.len())
+    }
+
+    /// B_n^i, where others write B_i^n.
+    pub(in crate::judge) fn has_its_degree_below(&self) -> bool {
+        match (self.lower.as_slice(), self.upper.as_slice()) {
+            ([Expr { kind: Kind::Name(below), .. }], [Expr { kind: Kind::Name(above), .. }]) => {
+                roles::is_size(below) && is_index_letter(above) && !roles::is_size(above)
+            }
+            _ => false,
+        }
     }
 
     /// Whether it is a member of a family with a standard meaning.
