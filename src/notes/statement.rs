@@ -267,11 +267,11 @@ impl Reader<'_> {
         near
     }
 
-    /// The degrees that the sentence names before its formula, with whatever formulas between.
+    /// What the sentence speaks of before its formula, with whatever formulas between: degrees, lengths.
     fn degrees(&self) -> Topics {
         let mut own = Topics::default();
         // What the gap names, the section names.
-        if self.topics.degrees().next().is_none() {
+        if self.topics.degrees().next().is_none() && !self.topics.has(Topic::Uneven) {
             return own;
         }
         let last = self.last.rsplit(['.', '。']).next().unwrap_or_default();

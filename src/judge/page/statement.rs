@@ -277,7 +277,7 @@ pub struct Statement {
     pub topics: Topics,
     /// What the sentences right before it speak of.
     pub near: Topics,
-    /// The degrees that its sentence names by words, from the formula before on.
+    /// What its sentence speaks of, where the section names degrees or lengths by words.
     pub degrees: Topics,
     /// The words between the formula before and this one.
     pub gap: String,

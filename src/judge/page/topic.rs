@@ -48,6 +48,8 @@ pub enum Topic {
     Integral,
     /// Knots or data at equal distances.
     Uniform,
+    /// Knots or intervals of different lengths, or of a length that is said.
+    Uneven,
     /// Control points of a piece of a spline.
     Conversion,
     /// Second derivatives of a spline at its knots.
@@ -102,6 +104,7 @@ const WORDS: &[(&str, Topic)] = &[
     ("derivative", Topic::Derivative),
     ("integral", Topic::Integral),
     ("uniform", Topic::Uniform),
+    ("uneven", Topic::Uneven),
     ("conversion", Topic::Conversion),
     ("moments", Topic::Moments),
     ("hermite", Topic::Hermite),

@@ -101,6 +101,12 @@ impl Theorem {
         self.meaning.split(' ').find_map(|word| word.strip_prefix("degree")?.parse().ok())
     }
 
+    /// How many derivatives have to agree where two curves meet: 1, if it is one on C^1.
+    pub(super) fn smoothness(&self) -> Option<i64> {
+        let contact = self.contact.as_ref().and_then(|order| order.parse().ok());
+        contact.or_else(|| self.name.split(' ').find_map(|word| word.strip_prefix("C^")?.parse().ok()))
+    }
+
     pub(super) fn is_about(&self, topic: Topic) -> bool {
         self.about.iter().flatten().any(|own| *own == topic)
     }

@@ -333,7 +333,9 @@ impl Checker {
         let refuted = finding.verdict == Verdict::Refuted;
         let one_length = self.context.letters.has_one_length();
         let uneven = self.context.has_uneven_knots(claim.place);
-        let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
+        let told_uneven = statement.degrees.has(Topic::Uneven)
+            || statement.topics.has(Topic::Uneven) && !statement.topics.has(Topic::Uniform);
+        let even = |theorem: &Theorem| !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
         let objects = self.context.objects.iter().filter(|told| claim.place.knows(&told.place, false));
         let spoken = objects.filter_map(|told| told.object.degree.as_ref()?.as_int());
         let degrees = topics.degrees().chain(spoken).collect();

@@ -10,7 +10,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::instances::integers::as_values;
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, is_variable};
-use crate::judge::page::object::Sort;
+use crate::judge::page::object::{Declared, Sort};
 use crate::judge::page::statement::Place;
 use crate::judge::page::topic::Topic;
 use crate::judge::values::evaluator;
@@ -53,6 +53,8 @@ impl Checker {
             return standing;
         }
         if self.is_of_another_size(theorem, equation, way, said, claim.place)
+            || self.is_of_another_degree(theorem, way, claim.place)
+            || self.is_over_named_ends(theorem, equation, claim.place)
             || is_over_another_interval(theorem, equation, said)
         {
             return Standing::Doubtful;
@@ -132,11 +134,46 @@ impl Checker {
         free && !known(degree)
     }
 
+    /// Whether words give something else than its n as the degree: n + 1, n for an order, from n - 1 on.
+    fn is_of_another_degree(&self, theorem: &Theorem, way: &Way, place: &Place) -> bool {
+        let raised = theorem.is_about(Topic::Elevation);
+        let Some((_, Expr { kind: Kind::Name(size), .. })) = way.integers.iter().find(|(own, _)| own == "n") else {
+            return false;
+        };
+        let letter = Expr::name(size);
+        let near = |other: &Place| other.group == place.group && place.in_reach(other, false);
+        let mut told = self.context.sizes_of(size).filter(|own| near(&own.place)).peekable();
+        let is_it = |own: &Declared| {
+            let degree = own.object.degree.as_ref();
+            own.object.sort != Sort::Order && degree.is_none_or(|degree| degree.same_as(&letter))
+        };
+        if told.peek().is_some() && !theorem.has_orders() && !told.any(is_it) {
+            return true;
+        }
+        // "From n - 1 to n"
+        let sizes = self.context.heard.iter().filter(|(other, expr)| {
+            near(other) && matches!(expr.kind, Kind::Add(_)) && bases(expr).into_iter().eq([size.clone()])
+        });
+        let next = letter.clone().plus(1);
+        let mut sizes = sizes.map(|(_, expr)| expr).peekable();
+        raised && sizes.peek().is_some() && !sizes.any(|expr| expr.same_as(&next))
+    }
+
+    /// Whether an equation over [0, 1] is claimed where the paragraph speaks last of an interval [a, b].
+    fn is_over_named_ends(&self, theorem: &Theorem, equation: &Equation, place: &Place) -> bool {
+        let named = |[from, to]: [&Expr; 2]| !bases(from).is_empty() || !bases(to).is_empty();
+        let last = self.context.intervals_beside(place).next_back();
+        is_for_the_unit_interval(theorem, equation) && last.is_some_and(|(_, ends, _)| named(ends))
+    }
+
     /// What the order of contact that the page supposes makes of a theorem on contact.
     fn standing_of_contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
-        if let Some(needed) = theorem.contact.as_ref().and_then(|order| order.parse::<i64>().ok()) {
-            let known = self.smoothness(place).is_some_and(|order| order >= needed);
-            return Some(if known { Standing::Certain } else { Standing::Doubtful });
+        if let Some(needed) = theorem.smoothness() {
+            let said = self.smoothness(place);
+            let known = said.is_some_and(|order| order >= needed);
+            if theorem.contact.is_some() || said.is_some() || self.meets_by_geometry_only(place) {
+                return Some(if known { Standing::Certain } else { Standing::Doubtful });
+            }
         }
         let (_, free) = way.integers.iter().find(|(letter, _)| theorem.contact.as_ref() == Some(letter))?;
         let order = self.order_of_contact(place)?;
@@ -205,6 +242,14 @@ impl Checker {
             (Some(_), Some(_), None) => latest,
             _ => None,
         }
+    }
+
+    /// Whether the paragraph speaks of G^k: no derivatives have to agree.
+    fn meets_by_geometry_only(&self, place: &Place) -> bool {
+        self.context.heard.iter().any(|(other, expr)| {
+            let geometric = matches!(&expr.kind, Kind::Pow(base, _) if matches!(&base.kind, Kind::Name(name) if name == "G"));
+            geometric && other.group == place.group
+        })
     }
 
     /// The r of F^{(k)}(a) = G^{(k)}(a) for k = 0, …, r.
@@ -310,12 +355,17 @@ impl Checker {
 fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said) -> bool {
     let unit = |(from, to): &(Expr, Expr)| is_unit([from, to]);
     let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
-    let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
-    let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
     let words = || theorem.meaning.split(' ');
-    words().any(|word| over_unit.contains(&word))
-        && !equation.profile.variables.iter().any(lengths)
+    is_for_the_unit_interval(theorem, equation)
         && (said.intervals.iter().any(|ends| numbers(ends) && !unit(ends))
             || words().any(|word| word == "hermite")
                 && said.intervals.first().is_some_and(|ends| !unit(ends)))
+}
+
+/// Whether an equation holds over [0, 1] and has no other ends in it.
+fn is_for_the_unit_interval(theorem: &Theorem, equation: &Equation) -> bool {
+    let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
+    let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
+    theorem.meaning.split(' ').any(|word| over_unit.contains(&word))
+        && !equation.profile.variables.iter().any(lengths)
 }
