@@ -19,7 +19,7 @@ use crate::formula::{Expr, Kind, Link, Rel, interval};
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::{definable, is_root_of};
 use crate::judge::known::unread::Unread;
-use crate::judge::page::context::{Body, Mark, is_variable};
+use crate::judge::page::context::{Body, Condition, Definition, Mark, is_variable};
 use crate::judge::page::finding::{Finding, Verdict, blank, of_side, without_statement};
 use crate::judge::page::object::{Declared, Object};
 use crate::judge::page::reach::whole_sums;
@@ -232,7 +232,34 @@ impl Checker {
         self.by_curvature(chain, statement, &mut findings, before);
         self.by_own_values(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
+        self.as_said_before(chain, statement, &mut findings, before);
         Ok(findings)
+    }
+
+    /// What an earlier line says in the same words is not shown by it: "The tangent of a quadratic is p'(1) = …. That of a
+    /// cubic is p'(1) = …"
+    fn as_said_before(&self, chain: &Chain, statement: &Statement, findings: &mut [Finding], before: Mark) {
+        let ([left, right], [finding]) = (chain.sides.as_slice(), findings) else { return };
+        let holds = matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
+        if !holds || finding.reason.is_some() || bases(&right.expr).is_empty() {
+            return;
+        }
+        let place = &statement.place;
+        let whole = chain.whole();
+        let told = self.context.definitions[..before.definitions()].iter().filter(|own| place.sees(&own.place));
+        let defined = |own: &&Definition| {
+            own.place.formula != place.formula
+                && matches!(&own.body, Body::Formula(body) if body.same_as(&right.expr))
+                && definable(&left.expr).is_some_and(|head| own.head.same_as(&head))
+        };
+        let given = self.context.conditions[..before.conditions()].iter().filter(|own| place.sees(&own.place));
+        let supposed = |own: &&Condition| own.expr.same_as(&whole) && own.place.formula != place.formula;
+        let line = told.rev().find(defined).map(|own| own.line);
+        if let Some(line) = line.or_else(|| given.rev().find(supposed).map(|own| own.line)) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(format!("line {line} says the same, and nothing shows it"));
+            finding.instances = None;
+        }
     }
 
     /// Whether a sign with "!" above it says that it shall hold.

@@ -117,6 +117,19 @@ impl Head {
         }
     }
 
+    /// Whether both are written alike.
+    pub(in crate::judge) fn same_as(&self, other: &Head) -> bool {
+        let alike = |own: &[Expr], other: &[Expr]| {
+            own.len() == other.len() && own.iter().zip(other).all(|(a, b)| a.same_as(b))
+        };
+        let (own, theirs) = (self.flat(), other.flat());
+        self.base == other.base
+            && alike(&self.lower, &other.lower)
+            && alike(&self.upper, &other.upper)
+            && own.len() == theirs.len()
+            && own.iter().zip(theirs).all(|(a, b)| a.same_as(b))
+    }
+
     /// The arguments, groups run together.
     pub fn flat(&self) -> Vec<&Expr> {
         self.arguments.iter().flatten().flatten().collect()
