@@ -129,17 +129,26 @@ fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
 /// Cost: one elimination over the fractions of the other symbols.
 ///
 /// A parameter of which the claim speaks, too, has one value if it has a Greek letter, or if the hypothesis says that two
-/// unknown functions agree there: F(s) = G(s) where two curves meet.
+/// unknown functions agree there: F(s) = G(s) where two curves meet. So has one that something is divided by, the length
+/// of an interval.
 pub fn solve(
     hypotheses: &[(Value, Value)],
     claimed: &[&Value],
     wanted: &dyn Fn(&Symbol) -> bool,
 ) -> Option<Solution> {
     let spoken: BTreeSet<Symbol> = claimed.iter().flat_map(|value| compare::symbols(value)).collect();
+    let lengths: BTreeSet<Symbol> = hypotheses
+        .iter()
+        .filter_map(|(a, b)| differences(a, b))
+        .flatten()
+        .flat_map(|difference| difference.denominator().variables().to_vec())
+        .collect();
     let equations = hypotheses.iter().filter_map(|(a, b)| {
         let contact = is_contact(a, b);
         let greek = |symbol: &Symbol| letters::sign(symbol.base()).is_some();
-        let fixed = |symbol: &Symbol| spoken.contains(symbol) && (contact || greek(symbol));
+        let fixed = |symbol: &Symbol| {
+            lengths.contains(symbol) || spoken.contains(symbol) && (contact || greek(symbol))
+        };
         equations(a, b, &|symbol| is_parameter(symbol) && !fixed(symbol))
     });
     let all: Vec<MultiPoly> = equations.flatten().collect();
