@@ -292,7 +292,8 @@ pub(super) fn lettered_part(words: &str, first: bool) -> Option<u32> {
             found = Some(u32::MAX - u32::from(letter));
         }
         let ended = word.trim_end_matches(['*', '_']);
-        begins = begins && ended.is_empty() || ended.ends_with(['.', ',', ';', ':', '。', '，', '；', '：', '\n']);
+        begins =
+            begins && ended.is_empty() || ended.ends_with(['.', ',', ';', ':', '。', '，', '；', '：', '\n']);
     }
     found
 }

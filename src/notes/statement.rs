@@ -303,11 +303,16 @@ impl Reader<'_> {
             .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment))
             .filter_map(|(_, scope)| self.blocks.scope_of(*scope));
         let sections = self.sections.iter().map(|(_, scope)| *scope);
+        let scope: Vec<u32> = sections.chain(enclosing).collect();
         Place {
-            scope: sections.chain(enclosing).collect(),
             group: self.group,
             formula: self.formula,
-            blocks: self.blocks.open(),
+            // "In Example 1", right after another one
+            blocks: match &self.blocks.recalled {
+                Some(example) if example.scope == scope => example.blocks.clone(),
+                _ => self.blocks.open(),
+            },
+            scope,
             proofs: self.blocks.proofs(),
             recalled: self.blocks.recalled.clone(),
             items: self.items(),

@@ -246,13 +246,15 @@ impl Checker {
         }
         let place = &statement.place;
         let whole = chain.whole();
-        let told = self.context.definitions[..before.definitions()].iter().filter(|own| place.sees(&own.place));
+        let told =
+            self.context.definitions[..before.definitions()].iter().filter(|own| place.sees(&own.place));
         let defined = |own: &&Definition| {
             own.place.formula != place.formula
                 && matches!(&own.body, Body::Formula(body) if body.same_as(&right.expr))
                 && definable(&left.expr).is_some_and(|head| own.head.same_as(&head))
         };
-        let given = self.context.conditions[..before.conditions()].iter().filter(|own| place.sees(&own.place));
+        let given =
+            self.context.conditions[..before.conditions()].iter().filter(|own| place.sees(&own.place));
         let supposed = |own: &&Condition| own.expr.same_as(&whole) && own.place.formula != place.formula;
         let line = told.rev().find(defined).map(|own| own.line);
         if let Some(line) = line.or_else(|| given.rev().find(supposed).map(|own| own.line)) {

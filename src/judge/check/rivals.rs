@@ -312,7 +312,8 @@ impl Checker {
         let refuted = self.findings[*first].verdict == Verdict::Refuted;
         let named = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name) || is_index_letter(name));
         let places = |head: &Head| -> usize { head.lower.len() + head.flat().len() };
-        let any = |head: &Head| places(head) > 0 && head.lower.iter().chain(head.flat()).all(|one| named(&one));
+        let any =
+            |head: &Head| places(head) > 0 && head.lower.iter().chain(head.flat()).all(|one| named(&one));
         let renewed = |head: &Head| {
             let anew = senses.iter().any(|sense| {
                 let same = |own: &Head| own.base == head.base && any(own) && places(own) == places(head);

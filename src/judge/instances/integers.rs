@@ -180,7 +180,9 @@ pub(in crate::judge) fn last_values(sides: &[&Expr]) -> Vec<(String, Expr)> {
                 return pair(lower, upper);
             }
             let Some(head) = Head::of(part).filter(Head::is_bernstein) else { return };
-            if let ([index], [degree]) | ([index, degree], []) = (head.lower.as_slice(), head.upper.as_slice()) {
+            if let ([index], [degree]) | ([index, degree], []) =
+                (head.lower.as_slice(), head.upper.as_slice())
+            {
                 pair(index, degree);
             }
         });
@@ -201,7 +203,9 @@ pub(in crate::judge) fn is_outside(bound: &[(String, i64)], last: &[(String, Exp
         }
     }
     let least = bound.iter().filter(|(name, _)| roles::is_size(name)).map(|(_, value)| *value).min();
-    !told && least.is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
+    !told
+        && least
+            .is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
 }
 
 /// The letters for which 0 may not be meant where nothing is said: sizes, and those of which something less is written,
@@ -212,7 +216,9 @@ pub(in crate::judge) fn may_begin_with_one(sides: &[&Expr]) -> BTreeSet<String> 
     for side in sides {
         found.extend(names(side).filter(|name| roles::is_size(name)));
         walk(side, &mut |part| match &part.kind {
-            Kind::Add(terms) if terms.iter().any(|term| term.sign == Sign::Minus) => found.extend(names(part)),
+            Kind::Add(terms) if terms.iter().any(|term| term.sign == Sign::Minus) => {
+                found.extend(names(part))
+            }
             Kind::Div(_, below, _) => found.extend(names(below)),
             _ => {}
         });

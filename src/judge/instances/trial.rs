@@ -179,8 +179,8 @@ impl<'a> Trial<'a> {
                 let named: Vec<(String, i64)> = integers.iter().cloned().zip(own.iter().copied()).collect();
                 for (at, sum) in sums.iter().enumerate() {
                     let Some(sum) = sum else { continue };
-                    let sum = evaluator::machine()
-                        .with_locals(as_values(&named), |machine| machine.eval_int(sum));
+                    let sum =
+                        evaluator::machine().with_locals(as_values(&named), |machine| machine.eval_int(sum));
                     own[at] = sum.unwrap_or_default();
                 }
                 all.push(own);
@@ -443,7 +443,8 @@ impl<'a> Trial<'a> {
                     tally.holds += 1;
                     tally.nonzero += usize::from(!is_zero(left));
                     tally.holds_inner += usize::from(inner);
-                    let positive = bound.iter().all(|(_, value)| *value > 0) && !is_outside(&free, &self.last);
+                    let positive =
+                        bound.iter().all(|(_, value)| *value > 0) && !is_outside(&free, &self.last);
                     let seen = !is_zero(left) || self.says_zero(at);
                     tally.holds_proper += usize::from(positive && seen);
                 }

@@ -31,7 +31,8 @@ impl Unread {
         findings: &[Finding],
         line: usize,
     ) -> Option<Self> {
-        if let Some(own) = family_of_its_own(chain, findings).or_else(|| operator_of_its_own(chain, findings)) {
+        if let Some(own) = family_of_its_own(chain, findings).or_else(|| operator_of_its_own(chain, findings))
+        {
             return Some(Unread { names: vec![own], place: place.clone(), line, own: true });
         }
         let open = findings.iter().all(|finding| finding.verdict == Verdict::Undecided);
@@ -73,7 +74,8 @@ fn family_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
 fn operator_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
     let Kind::Mul(factors) = &chain.sides[0].expr.kind else { return None };
     let [Expr { kind: Kind::Name(operator), .. }, operand] = factors.as_slice() else { return None };
-    let usual = [families::FORWARD_DIFFERENCE, families::BACKWARD_DIFFERENCE, "D"].contains(&operator.as_str());
+    let usual =
+        [families::FORWARD_DIFFERENCE, families::BACKWARD_DIFFERENCE, "D"].contains(&operator.as_str());
     let letter = |expr: &Expr| matches!(&expr.kind, Kind::Name(_));
     let any = Head::of(operand).is_some_and(|head| {
         let mut places = head.lower.iter().chain(&head.upper).chain(head.flat()).peekable();
@@ -88,7 +90,9 @@ fn operator_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
 pub(in crate::judge) fn is_whole_family(head: &Head) -> bool {
     let letter = |expr: &&Expr| matches!(&expr.kind, Kind::Name(_));
     let mut indices = head.lower.iter().chain(&head.upper).peekable();
-    indices.peek().is_some() && indices.all(|index| letter(&index)) && head.flat().iter().all(|one| letter(one))
+    indices.peek().is_some()
+        && indices.all(|index| letter(&index))
+        && head.flat().iter().all(|one| letter(one))
 }
 
 /// A column or row of names, [B_1; B_2].

@@ -176,7 +176,8 @@ pub(in crate::judge) fn value_given(equation: &Expr) -> Option<(&str, &Expr)> {
 
 /// Whether an equation is one about some names and nothing else: p = 2, a + b = 1.
 pub(in crate::judge) fn is_only_about(equation: &Expr, names: &[String]) -> bool {
-    let equates = matches!(&equation.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
+    let equates =
+        matches!(&equation.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
     let mut letters = bases(equation).into_iter().filter(|name| !is_index_letter(name)).peekable();
     equates && letters.peek().is_some() && letters.all(|letter| names.contains(&letter))
 }

@@ -58,7 +58,10 @@ pub fn is_standard(head: Option<&Head>) -> bool {
     };
     head.is_some_and(|head| {
         let indices = || head.lower.iter().chain(&head.upper);
-        families::has_values(&head.base) && !head.has_its_degree_below() && indices().next().is_some() && !indices().any(word)
+        families::has_values(&head.base)
+            && !head.has_its_degree_below()
+            && indices().next().is_some()
+            && !indices().any(word)
     })
 }
 

@@ -16,7 +16,7 @@ use crate::judge::page::context::Context;
 use crate::judge::page::statement::Place;
 use crate::judge::repair;
 use crate::judge::values::evaluator;
-use crate::judge::written::names::{Head, is_index_letter, walk};
+use crate::judge::written::names::{Head, bases, is_index_letter, walk};
 use crate::math::poly::{MonomialOrder, MultiPoly};
 use crate::math::ring::Ring;
 use num_traits::{Signed, Zero};
@@ -284,6 +284,11 @@ fn key(free: &Rc<Free>, left: &Expr, right: &Expr, values: &Values) -> Option<Mu
 }
 
 impl Instance<'_> {
+    /// The letters of the page that stand for its letters.
+    pub(super) fn families(&self) -> BTreeSet<String> {
+        self.way.letters.iter().flat_map(|(_, own)| bases(own)).collect()
+    }
+
     /// Whether it says what something is that has a name.
     pub(super) fn is_about_a_letter(&self) -> bool {
         Head::of(&self.equation.left).is_some()

@@ -44,7 +44,9 @@ use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::page::topic::{Topic, Topics};
 use crate::judge::repair;
+use crate::judge::values::evaluator;
 use crate::judge::written::names::{Head, bases, has_members, is_index_letter, walk};
+use crate::math::number::{integer, rational};
 
 /// So often what members of families are is put for them.
 const UNFOLDINGS: usize = 2;
@@ -252,6 +254,8 @@ impl Checker {
                     doubt = true;
                 }
                 Standing::Doubtful => doubt = true,
+                // The old points by the new ones
+                Standing::Certain if self.is_inverse(&instance.families(), claim) => doubt = true,
                 Standing::Shifted => {
                     slip = instances.iter().find(|other| {
                         other.theorem.name == instance.theorem.name && other.standing == Standing::Certain
@@ -276,7 +280,7 @@ impl Checker {
         let (instance, [left, right]) = slip
             .map(|meant| (meant, meant.sides.clone()))
             .or_else(|| claim.one_slip_away(instances, long))?;
-        let families = instance.way.letters.iter().flat_map(|(_, own)| bases(own)).collect();
+        let families = instance.families();
         if self.has_equal_members(&families, claim.place) || self.is_inverse(&families, claim) {
             return Some(None);
         }
@@ -304,6 +308,14 @@ impl Checker {
     /// (1 - i/n) c_i, from which c_i is found again.
     fn is_inverse(&self, families: &BTreeSet<String>, claim: &Claim) -> bool {
         let Some(head) = Head::of(claim.left) else { return false };
+        let told = self.agreements.iter().filter(|own| claim.place.sees(&own.place)).any(|own| {
+            let member = Head::of(&own.member)
+                .is_some_and(|member| member.base != head.base && families.contains(&member.base));
+            member && own.letters.iter().any(|(_, letter)| bases(letter).contains(&head.base))
+        });
+        if told {
+            return true;
+        }
         let mut near = self.context.definitions.iter().filter(|own| claim.place.knows(&own.place, false));
         near.any(|own| match &own.body {
             Body::Formula(body) => {
@@ -315,6 +327,17 @@ impl Checker {
             }
             Body::Value(_) => false,
         })
+    }
+
+    /// Whether the paragraph speaks last of an interval that is none of [0, 1] and its halves.
+    fn is_cut_elsewhere(&self, place: &Place) -> bool {
+        let halves = |[from, to]: [&Expr; 2]| {
+            let number = |expr: &Expr| evaluator::number(expr).map(|number| number * rational(2, 1));
+            let ends = [number(from), number(to)];
+            ends.iter()
+                .all(|end| end.as_ref().is_none_or(|end| [integer(0), integer(1), integer(2)].contains(end)))
+        };
+        self.context.intervals_beside(place).next_back().is_some_and(|(_, ends, _)| !halves(ends))
     }
 
     /// The theorems that a claim may be an instance of.
@@ -335,7 +358,9 @@ impl Checker {
         let uneven = self.context.has_uneven_knots(claim.place);
         let told_uneven = statement.degrees.has(Topic::Uneven)
             || statement.topics.has(Topic::Uneven) && !statement.topics.has(Topic::Uniform);
-        let even = |theorem: &Theorem| !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
+        let even = |theorem: &Theorem| {
+            !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length }
+        };
         let objects = self.context.objects.iter().filter(|told| claim.place.knows(&told.place, false));
         let spoken = objects.filter_map(|told| told.object.degree.as_ref()?.as_int());
         let degrees = topics.degrees().chain(spoken).collect();
@@ -343,7 +368,9 @@ impl Checker {
         let subjects = [Topic::Spline, Topic::Tensor, Topic::Triangle];
         let mut found = Vec::new();
         for theorem in known {
+            let halves = [Topic::Half, Topic::Subdivision].into_iter().any(|topic| theorem.is_about(topic));
             if !theorem.is_spoken_of(topics)
+                || halves && (told_uneven || self.is_cut_elsewhere(claim.place))
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
             {

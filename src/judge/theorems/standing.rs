@@ -126,6 +126,10 @@ impl Checker {
             self.context.sizes_heard(|other| place.knows(other, false)).any(|(_, size)| size == degree)
         };
         let known = |degree: i64| said.degrees.contains(&degree) || listed(degree) || given(degree);
+        // A quadratic as a cubic is none of degree 3 as one of degree 4.
+        if theorem.is_about(Topic::Elevation) && said.degrees.len() > 1 && !known(degree + 1) {
+            return true;
+        }
         let raised = number("r").filter(|_| theorem.is_about(Topic::Elevation));
         if raised.is_some_and(|(_, by)| !known(degree + by)) {
             return true;
@@ -137,7 +141,8 @@ impl Checker {
     /// Whether words give something else than its n as the degree: n + 1, n for an order, from n - 1 on.
     fn is_of_another_degree(&self, theorem: &Theorem, way: &Way, place: &Place) -> bool {
         let raised = theorem.is_about(Topic::Elevation);
-        let Some((_, Expr { kind: Kind::Name(size), .. })) = way.integers.iter().find(|(own, _)| own == "n") else {
+        let Some((_, Expr { kind: Kind::Name(size), .. })) = way.integers.iter().find(|(own, _)| own == "n")
+        else {
             return false;
         };
         let letter = Expr::name(size);

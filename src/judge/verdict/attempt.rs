@@ -253,7 +253,8 @@ pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&
     let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
     let mut free = may_begin_with_one(&sides);
     free.retain(|name| !chain.conditions.iter().any(|condition| bases(condition).contains(name)));
-    let zero = |integers: &[(String, i64)]| integers.iter().any(|(name, value)| *value == 0 && free.contains(name));
+    let zero =
+        |integers: &[(String, i64)]| integers.iter().any(|(name, value)| *value == 0 && free.contains(name));
     tally
         .fails
         .iter()

@@ -436,7 +436,8 @@ impl<'a> Reader<'a> {
             object.values = vec![value.clone()];
         }
         let points = object.sort == Sort::ControlPoints;
-        if points && from.checked_sub(1).is_some_and(|verb| self.is(verb, &Word::With) && self.is_part(verb)) {
+        if points && from.checked_sub(1).is_some_and(|verb| self.is(verb, &Word::With) && self.is_part(verb))
+        {
             return;
         }
         let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
