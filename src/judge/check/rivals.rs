@@ -221,10 +221,15 @@ impl Checker {
             if !refuted(self) {
                 continue;
             }
-            let mut rivals = self.rivals(&appeal, &senses);
-            rivals.extend(self.other_curves(&appeal, &senses));
-            for rival in rivals {
-                let Some(findings) = self.judged_with(&appeal, &rival.means) else { continue };
+            let mut rivals: Vec<(Chain, Rival)> =
+                self.rivals(&appeal, &senses).into_iter().map(|rival| (appeal.chain.clone(), rival)).collect();
+            let curves = self.other_curves(&appeal, &senses).into_iter();
+            rivals.extend(curves.map(|rival| (appeal.chain.clone(), rival)));
+            let elsewhere = over_other_intervals(&appeal, &senses).into_iter();
+            let interval = || Rival { what: "another interval".to_owned(), means: Vec::new() };
+            rivals.extend(elsewhere.map(|chain| (chain, interval())));
+            for (chain, rival) in rivals {
+                let Some(findings) = self.judged_with(&appeal, &chain, &rival.means) else { continue };
                 let reason = format!("it holds with {} of the page: which one is meant?", rival.what);
                 for (at, found) in findings.iter().enumerate() {
                     let own = &mut self.findings[appeal.first + at];
@@ -448,8 +453,8 @@ impl Checker {
     }
 
     /// What would be found with other meanings.
-    fn judged_with(&mut self, appeal: &Appeal, means: &[Means]) -> Option<Vec<Finding>> {
-        let Appeal { chain, statement, known, .. } = appeal;
+    fn judged_with(&mut self, appeal: &Appeal, chain: &Chain, means: &[Means]) -> Option<Vec<Finding>> {
+        let Appeal { statement, known, .. } = appeal;
         let limits = Limits { steps: Some(setting::share(&self.limits, 2)), ..self.limits.clone() };
         let mut other = Checker { limits, ..self.aside(known.clone()) };
         for means in means {
@@ -482,6 +487,35 @@ impl Checker {
         let before = other.context.mark();
         other.before = before;
         other.judged(chain, statement, before).ok()
+    }
+}
+
+/// A formula for a range, with the other ranges that its paragraph names: "on [0, 1] it is N(t) = …, on [1, 2] it is …".
+fn over_other_intervals(appeal: &Appeal, senses: &[Sense]) -> Vec<Chain> {
+    let Appeal { chain, statement, .. } = appeal;
+    let mut found = Vec::new();
+    for (at, condition) in chain.conditions.iter().enumerate() {
+        let Some(Means::Interval(from, to)) = ends(condition) else { continue };
+        let others = senses.iter().filter(|sense| sense.paragraph == statement.place.group);
+        for sense in others {
+            let Means::Interval(start, end) = &sense.means else { continue };
+            if start.same_as(&from) && end.same_as(&to) {
+                continue;
+            }
+            let mut other = chain.clone();
+            exchange(&mut other.conditions[at], &[(&from, start), (&to, end)]);
+            found.push(other);
+        }
+    }
+    found.truncate(TRIES);
+    found
+}
+
+/// Puts something in the place of parts of a formula.
+fn exchange(expr: &mut Expr, pairs: &[(&Expr, &Expr)]) {
+    match pairs.iter().find(|(old, _)| expr.same_as(old)) {
+        Some((_, new)) => *expr = (*new).clone(),
+        None => expr.for_each_child_mut(&mut |child| exchange(child, pairs)),
     }
 }
 

@@ -535,7 +535,16 @@ impl<'a> Reader<'a> {
             return;
         }
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
-        let lists = families(&object.points);
+        let mut lists = families(&object.points);
+        // "p and q have the control points 0, 1, 3 and 1, 2, 0"
+        let numbers = object.sort == Sort::BezierCurve && object.points.iter().all(|point| bases(point).is_empty());
+        if names.len() > 1 && numbers && !object.points.is_empty() {
+            let each = object.points.len() / names.len();
+            if each < 2 || each * names.len() != object.points.len() {
+                return;
+            }
+            lists = object.points.chunks(each).map(<[Expr]>::to_vec).collect();
+        }
         if names.len() > 1 && lists.len() == names.len() {
             for (at, (name, points)) in names.into_iter().zip(lists).enumerate() {
                 let interval = intervals.get(at).cloned().or(object.interval.clone());
