@@ -156,7 +156,7 @@ impl Checker {
                         self.remember(chain, statement, &findings);
                         self.remember_law(chain, &statement.place, &findings);
                         let line = self.line(chain.sides[0].expr.span);
-                        self.unread.extend(Unread::of(chain, &statement.place, &findings, line));
+                        self.unread.extend(Unread::of(chain, &statement.place, &findings, line, &self.seen));
                         self.remember_row(chain, statement, self.findings.len());
                         self.findings.extend(findings);
                     }
@@ -241,7 +241,14 @@ impl Checker {
     fn as_said_before(&self, chain: &Chain, statement: &Statement, findings: &mut [Finding], before: Mark) {
         let ([left, right], [finding]) = (chain.sides.as_slice(), findings) else { return };
         let holds = matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
-        if !holds || finding.reason.is_some() || bases(&right.expr).is_empty() {
+        let again = chain.relations[0].0 == Rel::Define || statement.role == Some(Role::Introduced);
+        if !holds || again || finding.reason.is_some() || bases(&right.expr).is_empty() {
+            return;
+        }
+        // F(t) = t^2 - t: what F is may be said again.
+        let head = definable(&left.expr);
+        let arguments: Vec<String> = head.iter().flat_map(|head| head.flat()).flat_map(bases).collect();
+        if !arguments.is_empty() && bases(&right.expr).iter().all(|name| arguments.contains(name)) {
             return;
         }
         let place = &statement.place;
@@ -251,7 +258,7 @@ impl Checker {
         let defined = |own: &&Definition| {
             own.place.formula != place.formula
                 && matches!(&own.body, Body::Formula(body) if body.same_as(&right.expr))
-                && definable(&left.expr).is_some_and(|head| own.head.same_as(&head))
+                && head.as_ref().is_some_and(|head| own.head.same_as(head))
         };
         let given =
             self.context.conditions[..before.conditions()].iter().filter(|own| place.sees(&own.place));

@@ -173,18 +173,6 @@ impl Checker {
         self.senses.extend(new);
     }
 
-    /// Keeps that the page gives a letter with a usual meaning one of its own.
-    pub(in crate::judge) fn means_its_own(&mut self, base: &str, place: &Place) {
-        self.senses.push(Sense {
-            means: Means::Usual(base.to_owned()),
-            scope: place.scope.clone(),
-            blocks: place.blocks.clone(),
-            paragraph: place.group,
-            formula: place.formula,
-            finding: None,
-        });
-    }
-
     /// Keeps a formula of which a relation is or may become refuted.
     pub(in crate::judge) fn note_appeal(
         &mut self,
@@ -221,8 +209,11 @@ impl Checker {
             if !refuted(self) {
                 continue;
             }
-            let mut rivals: Vec<(Chain, Rival)> =
-                self.rivals(&appeal, &senses).into_iter().map(|rival| (appeal.chain.clone(), rival)).collect();
+            let mut rivals: Vec<(Chain, Rival)> = self
+                .rivals(&appeal, &senses)
+                .into_iter()
+                .map(|rival| (appeal.chain.clone(), rival))
+                .collect();
             let curves = self.other_curves(&appeal, &senses).into_iter();
             rivals.extend(curves.map(|rival| (appeal.chain.clone(), rival)));
             let elsewhere = over_other_intervals(&appeal, &senses).into_iter();
@@ -490,13 +481,14 @@ impl Checker {
     }
 }
 
-/// A formula for a range, with the other ranges that its paragraph names: "on [0, 1] it is N(t) = …, on [1, 2] it is …".
+/// A formula for a range, with the one on its other side: "on [0, 1] it is N(t) = …, on [1, 2] it is …".
 fn over_other_intervals(appeal: &Appeal, senses: &[Sense]) -> Vec<Chain> {
     let Appeal { chain, statement, .. } = appeal;
     let mut found = Vec::new();
     for (at, condition) in chain.conditions.iter().enumerate() {
         let Some(Means::Interval(from, to)) = ends(condition) else { continue };
-        let others = senses.iter().filter(|sense| sense.paragraph == statement.place.group);
+        // Right before or after it
+        let others = senses.iter().filter(|sense| sense.formula.abs_diff(statement.place.formula) == 1);
         for sense in others {
             let Means::Interval(start, end) = &sense.means else { continue };
             if start.same_as(&from) && end.same_as(&to) {

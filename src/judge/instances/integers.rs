@@ -1,9 +1,10 @@
 //! The integers of a chain: which names are some, and which values are tried.
 
+use crate::language::lexicon::families::Family;
 use crate::language::lexicon::roles;
 use std::collections::BTreeSet;
 
-use crate::formula::{Expr, Kind, Rel, Sign};
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::instances::trial::Trial;
 use crate::judge::page::context::Body;
 use crate::judge::values::evaluator;
@@ -121,7 +122,24 @@ impl Trial<'_> {
             });
             (link.rel == Rel::Eq && own == name && letters).then(|| sum.clone())
         };
-        self.conditions.iter().chain(self.hypotheses()).find_map(sum)
+        let said = self.conditions.iter().chain(self.hypotheses()).find_map(sum);
+        said.or_else(|| {
+            // The n of B_{ijk}^n
+            let mut found = None;
+            let mut look = |part: &Expr| {
+                let Some(head) = Head::of(part).filter(|head| head.is_a(Family::Triangular)) else { return };
+                let letter = |expr: &Expr| matches!(&expr.kind, Kind::Name(own) if integers.contains(own));
+                let own =
+                    matches!(head.upper.as_slice(), [Expr { kind: Kind::Name(own), .. }] if own == name);
+                if own && head.lower.iter().all(letter) {
+                    found = Some(Expr::sum(
+                        head.lower.into_iter().map(|expr| Term { sign: Sign::Plus, expr }).collect(),
+                    ));
+                }
+            };
+            self.sides.iter().for_each(|side| walk(side, &mut look));
+            found
+        })
     }
 
     /// The value that a condition of the chain gives an integer: n = 2.

@@ -3,9 +3,10 @@
 use std::rc::Rc;
 
 use crate::formula::Expr;
+use crate::judge::known::checker::Checker;
 use crate::judge::page::context::Context;
 use crate::judge::page::object::Object;
-use crate::judge::page::statement::{Chain, Statement};
+use crate::judge::page::statement::{Chain, Place, Statement};
 use crate::judge::written::names::Head;
 
 /// A formula of which a relation was refuted, with what was known before it.
@@ -52,5 +53,19 @@ impl Sense {
             Means::Usual(base) => vec![base.clone()],
             Means::List(_) | Means::Interval(..) => Vec::new(),
         }
+    }
+}
+
+impl Checker {
+    /// Keeps that the page gives a letter with a usual meaning one of its own.
+    pub(in crate::judge) fn means_its_own(&mut self, base: &str, place: &Place) {
+        self.senses.push(Sense {
+            means: Means::Usual(base.to_owned()),
+            scope: place.scope.clone(),
+            blocks: place.blocks.clone(),
+            paragraph: place.group,
+            formula: place.formula,
+            finding: None,
+        });
     }
 }

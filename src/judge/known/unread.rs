@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind};
+use crate::judge::known::checker::Checker;
 use crate::judge::page::context::Context;
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::statement::{Chain, Place};
@@ -24,15 +25,17 @@ pub(in crate::judge) struct Unread {
 }
 
 impl Unread {
-    /// The families in a chain of which a side could not be read, or lists members of which nothing was found.
+    /// The families in a chain that gives one that was not seen before a meaning of its own, or of which a side could not be read, or lists members of which nothing was found.
     pub(in crate::judge) fn of(
         chain: &Chain,
         place: &Place,
         findings: &[Finding],
         line: usize,
+        seen: &BTreeSet<String>,
     ) -> Option<Self> {
-        if let Some(own) = family_of_its_own(chain, findings).or_else(|| operator_of_its_own(chain, findings))
-        {
+        let own = family_of_its_own(chain, findings).or_else(|| operator_of_its_own(chain, findings));
+        // A slip in what was spoken of before gives it no other meaning.
+        if let Some(own) = own.filter(|own| !seen.contains(own)) {
             return Some(Unread { names: vec![own], place: place.clone(), line, own: true });
         }
         let open = findings.iter().all(|finding| finding.verdict == Verdict::Undecided);
@@ -58,6 +61,17 @@ impl Unread {
             true => format!("line {} says of {name} what is not usual", self.line),
             false => format!("line {} may say what {name} is, and was not understood", self.line),
         })
+    }
+}
+
+impl Checker {
+    /// Why the usual meanings of names in two sides are in doubt here.
+    pub(in crate::judge) fn doubt(&self, sides: [usize; 2], chain: &Chain, place: &Place) -> Option<String> {
+        if self.unread.is_empty() {
+            return None;
+        }
+        let own = sides.into_iter().flat_map(|at| bases(&chain.sides[at].expr)).collect();
+        self.unread.iter().rev().find_map(|unread| unread.doubt(&own, &self.context, place))
     }
 }
 
@@ -88,11 +102,9 @@ fn operator_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
 
 /// Whether a head stands for all members of a family, as functions: B_i^n(t).
 pub(in crate::judge) fn is_whole_family(head: &Head) -> bool {
-    let letter = |expr: &&Expr| matches!(&expr.kind, Kind::Name(_));
+    let letter = |expr: &Expr| matches!(&expr.kind, Kind::Name(_));
     let mut indices = head.lower.iter().chain(&head.upper).peekable();
-    indices.peek().is_some()
-        && indices.all(|index| letter(&index))
-        && head.flat().iter().all(|one| letter(one))
+    indices.peek().is_some() && indices.all(letter) && head.flat().into_iter().all(letter)
 }
 
 /// A column or row of names, [B_1; B_2].

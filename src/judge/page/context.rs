@@ -178,8 +178,10 @@ pub(in crate::judge) fn value_given(equation: &Expr) -> Option<(&str, &Expr)> {
 pub(in crate::judge) fn is_only_about(equation: &Expr, names: &[String]) -> bool {
     let equates =
         matches!(&equation.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
-    let mut letters = bases(equation).into_iter().filter(|name| !is_index_letter(name)).peekable();
-    equates && letters.peek().is_some() && letters.all(|letter| names.contains(&letter))
+    let mut letters = bases(equation).into_iter().peekable();
+    equates
+        && letters.peek().is_some()
+        && letters.all(|letter| names.contains(&letter) && !is_index_letter(&letter))
 }
 
 impl Context {
@@ -279,7 +281,10 @@ impl Context {
                 let variables: BTreeSet<String> =
                     own.head.flat().into_iter().chain(&own.head.lower).flat_map(bases).collect();
                 let known = |name: &String| variables.contains(name) || names.contains(name);
-                names.contains(&own.head.base) && bases(body).iter().all(known)
+                // A recursion is no example.
+                let recursive = own.head.lower.iter().any(|index| !bases(index).is_empty())
+                    && bases(body).contains(&own.head.base);
+                names.contains(&own.head.base) && !recursive && bases(body).iter().all(known)
             }
             Body::Value(_) => names.contains(&own.head.base),
         };

@@ -149,8 +149,14 @@ impl Checker {
         let near = |other: &Place| other.group == place.group && place.in_reach(other, false);
         let mut told = self.context.sizes_of(size).filter(|own| near(&own.place)).peekable();
         let is_it = |own: &Declared| {
-            let degree = own.object.degree.as_ref();
-            own.object.sort != Sort::Order && degree.is_none_or(|degree| degree.same_as(&letter))
+            // Of degree m ≥ 2
+            let degree = own.object.degree.as_ref().map(|degree| match &degree.kind {
+                Kind::Chain(left, _) => left,
+                _ => degree,
+            });
+            let raised = |degree: &Expr| raised && degree.same_as(&letter.clone().plus(1));
+            own.object.sort != Sort::Order
+                && degree.is_none_or(|degree| degree.same_as(&letter) || raised(degree))
         };
         if told.peek().is_some() && !theorem.has_orders() && !told.any(is_it) {
             return true;

@@ -27,15 +27,6 @@ use crate::math::poly::Symbol;
 const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
 
 impl Checker {
-    /// Why the usual meanings of names in two sides are in doubt here.
-    pub(in crate::judge) fn doubt(&self, sides: [usize; 2], chain: &Chain, place: &Place) -> Option<String> {
-        if self.unread.is_empty() {
-            return None;
-        }
-        let own = sides.into_iter().flat_map(|at| bases(&chain.sides[at].expr)).collect();
-        self.unread.iter().rev().find_map(|unread| unread.doubt(&own, &self.context, place))
-    }
-
     pub(in crate::judge) fn verdict(
         &self,
         tally: &Tally,

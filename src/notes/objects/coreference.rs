@@ -148,8 +148,13 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether it is a part of a curve that has what begins at a token.
+    pub(super) fn has_a_part(&self, from: usize) -> bool {
+        from.checked_sub(1).is_some_and(|verb| self.is(verb, &Word::With) && self.is_part(verb))
+    }
+
     /// Whether the words before a verb speak of a part of a curve.
-    pub(super) fn is_part(&self, verb: usize) -> bool {
+    fn is_part(&self, verb: usize) -> bool {
         match verb.checked_sub(1).map(|subject| &self.tokens[subject]) {
             Some(Token::Unknown(words)) => {
                 let mut topics = Topics::default();

@@ -338,6 +338,16 @@ pub(super) fn are_coordinates(items: &[Expr]) -> bool {
     })
 }
 
+/// The points of several curves, each with its own: b_0, …, b_3 and c_0, …, c_3; 0, 1, 3 and 1, 2, 0.
+pub(super) fn shared_out(points: &[Expr], count: usize) -> Vec<Vec<Expr>> {
+    let each = points.len() / count.max(1);
+    let numbers = points.iter().all(|point| bases(point).is_empty());
+    match numbers && count > 1 && each > 1 && each * count == points.len() {
+        true => points.chunks(each).map(<[Expr]>::to_vec).collect(),
+        false => families(points),
+    }
+}
+
 /// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.
 pub(super) fn families(items: &[Expr]) -> Vec<Vec<Expr>> {
     let mut found: Vec<(String, Vec<Expr>)> = Vec::new();

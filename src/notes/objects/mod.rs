@@ -26,7 +26,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::attributes::is_call;
 use self::coreference::Talk;
-use self::facts::{are_coordinates, families, in_order};
+use self::facts::{are_coordinates, in_order, shared_out};
 use self::page::{Page, by_members, formulas, sections};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
@@ -436,8 +436,7 @@ impl<'a> Reader<'a> {
             object.values = vec![value.clone()];
         }
         let points = object.sort == Sort::ControlPoints;
-        if points && from.checked_sub(1).is_some_and(|verb| self.is(verb, &Word::With) && self.is_part(verb))
-        {
+        if points && self.has_a_part(from) {
             return;
         }
         let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
@@ -535,15 +534,9 @@ impl<'a> Reader<'a> {
             return;
         }
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
-        let mut lists = families(&object.points);
-        // "p and q have the control points 0, 1, 3 and 1, 2, 0"
-        let numbers = object.sort == Sort::BezierCurve && object.points.iter().all(|point| bases(point).is_empty());
-        if names.len() > 1 && numbers && !object.points.is_empty() {
-            let each = object.points.len() / names.len();
-            if each < 2 || each * names.len() != object.points.len() {
-                return;
-            }
-            lists = object.points.chunks(each).map(<[Expr]>::to_vec).collect();
+        let lists = shared_out(&object.points, names.len());
+        if names.len() > 1 && lists.is_empty() && !object.points.is_empty() {
+            return;
         }
         if names.len() > 1 && lists.len() == names.len() {
             for (at, (name, points)) in names.into_iter().zip(lists).enumerate() {

@@ -8,6 +8,7 @@
 //! readings, where a second curve may be meant, or where a word says more than this, there is no account.
 
 mod lists;
+mod parts;
 mod read;
 mod signs;
 
