@@ -399,8 +399,9 @@ impl<'a> Reader<'a> {
             }
             _ => names,
         };
+        let points = object.sort == Sort::ControlPoints;
         // "The control points are f(0, 1), f(1, 1)": values, no names.
-        if !object.is_function() && self.said(number).iter().any(is_call) {
+        if !object.is_function() && self.said(number).iter().any(is_call) || points && self.has_a_part(from) {
             return;
         }
         // "Let N be the B-spline of degree 3: its knots are …"; "p is a Bézier curve. Its control points are …"
@@ -434,10 +435,6 @@ impl<'a> Reader<'a> {
             && matches!(value.kind, Kind::Add(_) | Kind::Number(_))
         {
             object.values = vec![value.clone()];
-        }
-        let points = object.sort == Sort::ControlPoints;
-        if points && self.has_a_part(from) {
-            return;
         }
         let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
         if self.of_pieces(&object, &names, &of, number) {
