@@ -147,3 +147,15 @@ pub(super) fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
     }
     result
 }
+
+/// {u_0 < u_1 < … < u_m} has the members u_0, …, u_m.
+pub(super) fn ordered_members(expr: &mut Expr) {
+    if let Kind::Set(members, None) = &mut expr.kind
+        && let [Expr { kind: Kind::Chain(first, links), .. }] = members.as_slice()
+        && links.len() > 1
+        && links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le))
+    {
+        *members = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr)).cloned().collect();
+    }
+    expr.for_each_child_mut(&mut ordered_members);
+}

@@ -8,7 +8,7 @@ use super::blocks::{Blocks, Changes, count_new_values, lettered_part};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
-use super::items::{regrouped, with_alternatives};
+use super::items::{ordered_members, regrouped, with_alternatives};
 use super::objects;
 use super::primes;
 use super::sentence;
@@ -363,6 +363,7 @@ impl Reader<'_> {
             let (mut said, mut reason) = (false, false);
             let mut expr = row.expr;
             read_conditions(&mut expr);
+            ordered_members(&mut expr);
             expr.map_spans(&|span| formula.in_file(span));
             let latex = |span: Span| -> String {
                 // Derived spans lead back into the text only where it stands in the file.
