@@ -189,6 +189,7 @@ const SENSES: &[(&str, &[&str])] = &[
     ("reduce", &["simplify"]),
     ("bernstein", &["in_bernstein"]),
     ("in_bernstein", &["bezier_points"]),
+    ("control_points", &["bezier_points"]),
     ("normal", &["normal_at"]),
     ("polar", &["polar_total"]),
     ("figure_bezier", &["figure_functions", "figure_bspline"]),

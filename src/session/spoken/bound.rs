@@ -61,7 +61,10 @@ impl Reader<'_> {
         }
         let curve =
             kinds.iter().any(|kind| kind.builtin.name == "bezier" && kind.builtin.name != own.builtin.name);
-        let meant = std::iter::once(own.builtin.name).chain(senses(own.builtin.name).iter().copied());
+        // "Split the curve at 1/2" divides no 1/2.
+        let places = said.iter().all(|said| said.label == Some(Label::At));
+        let other = senses(own.builtin.name).iter().copied().filter(|_| !places);
+        let meant = std::iter::once(own.builtin.name).chain(other);
         let calls = meant.filter_map(builtin).flat_map(|function| {
             let mut calls = self.calls(function, own.phrase, &said, curve);
             if calls.is_empty() {
