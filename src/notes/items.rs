@@ -155,7 +155,8 @@ pub(super) fn ordered_members(expr: &mut Expr) {
         && links.len() > 1
         && links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le))
     {
-        *members = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr)).cloned().collect();
+        *members =
+            std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr)).cloned().collect();
     }
     expr.for_each_child_mut(&mut ordered_members);
 }

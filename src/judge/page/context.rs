@@ -8,7 +8,7 @@ use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::page::letters::Letters;
 use crate::judge::page::object::Declared;
 use crate::judge::page::statement::{Contact, Place};
-use crate::judge::written::names::{Head, bases, is_index_letter};
+use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::families;
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
@@ -179,9 +179,7 @@ pub(in crate::judge) fn is_only_about(equation: &Expr, names: &[String]) -> bool
     let equates =
         matches!(&equation.kind, Kind::Chain(_, links) if links.iter().all(|link| link.rel == Rel::Eq));
     let mut letters = bases(equation).into_iter().peekable();
-    equates
-        && letters.peek().is_some()
-        && letters.all(|letter| names.contains(&letter) && !is_index_letter(&letter))
+    equates && letters.peek().is_some() && letters.all(|letter| names.contains(&letter))
 }
 
 impl Context {

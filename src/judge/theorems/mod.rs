@@ -356,6 +356,9 @@ impl Checker {
         let refuted = finding.verdict == Verdict::Refuted;
         let one_length = self.context.letters.has_one_length();
         let uneven = self.context.has_uneven_knots(claim.place);
+        // The points of "the left part" are none of a scheme that is repeated.
+        let part = [Topic::First, Topic::Second, Topic::Half].into_iter().any(|topic| topics.has(topic));
+        let of_part = part && !topics.has(Topic::Scheme);
         let told_uneven = statement.degrees.has(Topic::Uneven)
             || statement.topics.has(Topic::Uneven) && !statement.topics.has(Topic::Uniform);
         let even = |theorem: &Theorem| {
@@ -371,6 +374,7 @@ impl Checker {
             let halves = [Topic::Half, Topic::Subdivision].into_iter().any(|topic| theorem.is_about(topic));
             if !theorem.is_spoken_of(topics)
                 || halves && (told_uneven || self.is_cut_elsewhere(claim.place))
+                || of_part && theorem.meaning.split(' ').any(|word| word == "scheme")
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
             {
