@@ -59,8 +59,18 @@ impl Checker {
             Expr::sum(terms.collect())
         };
         let differ = |value: &Expr| self.differ(value, &right.expr, chain, statement);
-        let parameters = self.parameters_of_scheme(place);
-        if let Some(t) = parameters.into_iter().find(|t| differ(&scheme(t, level, 0)).is_none()) {
+        let known = |scheme: &&Scheme| scheme.letter == letter && scheme.place.scope == place.scope;
+        let mut run = self.schemes.iter().rev().find(known);
+        let mut parameters = self.parameters_of_scheme(place);
+        // "At t = 1/2 it gives …. At t = 1/4 it gives …": the first run is over.
+        if let (Some((at, now)), Some(last)) = (parameters.first().cloned(), run)
+            && at > last.place.formula
+            && now != last.parameter
+        {
+            parameters.retain(|(_, t)| *t != last.parameter);
+            run = None;
+        }
+        if let Some((_, t)) = parameters.into_iter().find(|(_, t)| differ(&scheme(t, level, 0)).is_none()) {
             findings[0] = Finding {
                 verdict: Verdict::Proved,
                 reason: Some(format!("de Casteljau's scheme at {t}")),
@@ -70,8 +80,7 @@ impl Checker {
             self.schemes.push(Scheme { letter, parameter: t, place: place.clone() });
             return;
         }
-        let known = |scheme: &&Scheme| scheme.letter == letter && scheme.place.scope == place.scope;
-        let Some(t) = self.schemes.iter().rev().find(known).map(|scheme| &scheme.parameter) else { return };
+        let Some(t) = run.map(|scheme| &scheme.parameter) else { return };
         let Some(Some(failure)) = differ(&scheme(t, level, 0)) else { return };
         // It goes on from a point that is wrong itself.
         if level > 1 && differ(&scheme(t, 1, level - 1)).is_none() {
@@ -115,8 +124,8 @@ impl Checker {
         }
     }
 
-    /// The numbers that the section says the parameter is, the last one first: t = 1/4.
-    pub(in crate::judge) fn parameters_of_scheme(&self, place: &Place) -> Vec<Rational> {
+    /// The numbers that the section says the parameter is, the last one first, each with the number of its formula: t = 1/4.
+    pub(in crate::judge) fn parameters_of_scheme(&self, place: &Place) -> Vec<(usize, Rational)> {
         let number = |expr: &Expr| match &expr.kind {
             Kind::Chain(left, links) => {
                 let named = matches!(&left.kind, Kind::Name(name) if is_variable(name) || name == "lambda");
@@ -146,10 +155,10 @@ impl Checker {
         let numbers = said.chain(heard).filter_map(|(at, expr)| Some((at, number(expr)?)));
         let mut all: Vec<(usize, Rational)> = numbers.chain(defined).collect();
         all.sort_by_key(|(at, _)| std::cmp::Reverse(*at));
-        let mut found: Vec<Rational> = Vec::new();
-        for (_, value) in all {
-            if found.len() < MAX_PARAMETERS && !found.contains(&value) {
-                found.push(value);
+        let mut found: Vec<(usize, Rational)> = Vec::new();
+        for (at, value) in all {
+            if found.len() < MAX_PARAMETERS && !found.iter().any(|(_, known)| *known == value) {
+                found.push((at, value));
             }
         }
         found

@@ -180,7 +180,8 @@ impl Checker {
             let nodes = points(triangle.nodes.as_ref()?)?;
             nodes.into_iter().map(|mut node| node.pop().filter(|_| node.is_empty())).collect()
         };
-        let parameters = self.parameters_of_scheme(&statement.place);
+        let parameters: Vec<Rational> =
+            self.parameters_of_scheme(&statement.place).into_iter().map(|(_, t)| t).collect();
         let mut rules = Vec::new();
         if topics.has(Topic::Neville)
             && let Some(nodes) = nodes()
