@@ -161,6 +161,7 @@ impl Checker {
                 _ => means.push(Means::List(vec![expr.clone()])),
             }
         }
+        let supposed = matches!(statement.role, Some(Role::Assumed | Role::Introduced));
         let (scope, blocks) = (&statement.place.scope, &statement.place.blocks);
         let new = means.into_iter().map(|means| Sense {
             means,
@@ -168,6 +169,7 @@ impl Checker {
             blocks: blocks.clone(),
             paragraph,
             formula,
+            supposed,
             finding,
         });
         self.senses.extend(new);
@@ -360,7 +362,8 @@ impl Checker {
                     });
                     let same = same_name && sides.iter().any(|side| side.same_as(body));
                     let refuted = sense.finding.is_some_and(refuted);
-                    is_meaning(head, body)
+                    let member = sense.supposed && !head.lower.is_empty() && head.arguments.is_none();
+                    (member || is_meaning(head, body))
                         && is_called_like(head, &sides)
                         && (head.arguments.is_some() || !refuted)
                         && !same

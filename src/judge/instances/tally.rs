@@ -96,6 +96,8 @@ pub struct Outcomes {
     pub largest: i64,
     /// Whether degrees were tried.
     pub degrees: bool,
+    /// Whether not all of them were tried.
+    pub cut: bool,
     /// How many instances made sense.
     pub instances: usize,
 }

@@ -37,8 +37,8 @@ const LARGEST_DEGREE: usize = 4;
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 
-/// The same for inequalities between numbers.
-const LARGEST_OF_NUMBERS: [i64; 6] = [0, 30, 14, 4, 2, 2];
+/// The same for inequalities between numbers, and for equations between numbers with many integers.
+const LARGEST_OF_NUMBERS: [i64; 6] = [0, 30, 14, 4, 3, 2];
 
 /// More instances than this are not tried.
 const MOST: usize = 260;
@@ -150,7 +150,7 @@ impl<'a> Trial<'a> {
         // n! ≤ 3^n fails late.
         let numbers = self.sides.iter().all(|side| bases(side).iter().all(|name| integers.contains(name)));
         let equality = self.relations.iter().all(|rel| matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define));
-        let tried = if numbers && !equality { LARGEST_OF_NUMBERS } else { LARGEST };
+        let tried = if numbers && (!equality || free > 3) { LARGEST_OF_NUMBERS } else { LARGEST };
         let largest = tried.get(free).copied().unwrap_or(1);
         let largest = if splines { largest.min(3) } else { largest } + more;
         let mut outcomes = Outcomes {
@@ -159,6 +159,7 @@ impl<'a> Trial<'a> {
             fixed: false,
             largest,
             degrees: false,
+            cut: false,
             instances: 0,
         };
         if integers.len() > 8 {
@@ -232,7 +233,11 @@ impl<'a> Trial<'a> {
             if count.is_some() && outcomes.tallies.iter().any(|tally| !tally.fails.is_empty()) {
                 break;
             }
-            if tried >= MOST || budget::spent() - start > share(&self.limits, 64) {
+            // Where it holds for some and fails for others, it has to be seen for which.
+            let mixed = outcomes.tallies.iter().any(|tally| tally.holds > 0 && !tally.fails.is_empty());
+            let most = share(&self.limits, if mixed { 8 } else { 64 });
+            if tried >= MOST || budget::spent() - start > most {
+                outcomes.cut = true;
                 break;
             }
             budget::steps(1000);

@@ -27,6 +27,8 @@ pub(in crate::judge) struct Sense {
     pub(in crate::judge) blocks: Vec<u32>,
     pub(in crate::judge) paragraph: u32,
     pub(in crate::judge) formula: usize,
+    /// Whether its sentence supposes it: "suppose now that b_1 = 3 b_0".
+    pub(in crate::judge) supposed: bool,
     /// The finding that says it, if one does.
     pub(in crate::judge) finding: Option<usize>,
 }
@@ -65,6 +67,7 @@ impl Checker {
             blocks: place.blocks.clone(),
             paragraph: place.group,
             formula: place.formula,
+            supposed: false,
             finding: None,
         });
     }

@@ -241,6 +241,7 @@ fn sums_over_first(expr: &Expr) -> bool {
 /// the degree. Nothing is restricted if the file itself says for which integers it holds.
 pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
     if tally.fails.is_empty()
+        || outcomes.cut
         || tally.holds_proper < 2
         || outcomes.integers.is_empty()
         || tally.fails.len() > tally.holds.max(12)
