@@ -85,6 +85,7 @@ impl Tally {
 }
 
 /// How all instances went.
+#[derive(Clone)]
 pub struct Outcomes {
     /// For each relation.
     pub tallies: Vec<Tally>,

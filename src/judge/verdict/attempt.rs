@@ -86,12 +86,24 @@ impl Checker {
             }
             found.push(attempt);
         }
-        let worth = |attempt: &Attempt| {
-            let tallies = &attempt.outcomes.tallies;
-            let fails = tallies.iter().any(|tally| !tally.fails.is_empty());
-            (fails, tallies.iter().map(|tally| tally.nonzero).sum::<usize>())
+        // What is no function and was compared as points stays so; else the coordinate in which it fails counts.
+        let decided = |tally: &Tally| tally.holds > 0 || !tally.fails.is_empty();
+        let whole = best.outcomes.tallies.iter().any(decided);
+        let worth = |tally: &Tally| (!tally.fails.is_empty(), tally.nonzero);
+        let telling = |at: usize| {
+            let tallies = found.iter().enumerate();
+            tallies.max_by_key(|(_, attempt)| worth(&attempt.outcomes.tallies[at])).map(|(number, _)| number)
         };
-        found.into_iter().max_by_key(worth)
+        let first = found.get(telling(0)?)?;
+        let choices = if whole { best.choices } else { first.choices };
+        let mut outcomes = first.outcomes.clone();
+        for (at, tally) in outcomes.tallies.iter_mut().enumerate() {
+            *tally = match &best.outcomes.tallies[at] {
+                own if decided(own) => own.clone(),
+                _ => found[telling(at)?].outcomes.tallies[at].clone(),
+            };
+        }
+        Some(Attempt { outcomes, choices, curve: setting.curve.clone() })
     }
 
     fn best_reading(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
