@@ -80,6 +80,14 @@ fn items(expr: &Expr) -> Vec<&Expr> {
 
 /// Whether a formula has a datum as a part; a whole number as an argument or an item, b(2), not as a factor, 2b_1.
 fn speaks_of(whole: &Expr, datum: &Expr) -> bool {
+    // f(0, 0, 1) over [0, 1]
+    if let Some((ends, _)) = interval(datum) {
+        return whole.has(&|part| {
+            let Kind::Apply(_, groups) = &part.kind else { return false };
+            let mut arguments = groups.iter().flatten();
+            groups.iter().flatten().count() > 1 && arguments.all(|own| ends.iter().any(|end| own.same_as(end)))
+        });
+    }
     let counts = datum.as_int().is_some();
     whole.has(&|part| {
         let calculates = matches!(
