@@ -85,7 +85,8 @@ fn speaks_of(whole: &Expr, datum: &Expr) -> bool {
         return whole.has(&|part| {
             let Kind::Apply(_, groups) = &part.kind else { return false };
             let mut arguments = groups.iter().flatten();
-            groups.iter().flatten().count() > 1 && arguments.all(|own| ends.iter().any(|end| own.same_as(end)))
+            groups.iter().flatten().count() > 1
+                && arguments.all(|own| ends.iter().any(|end| own.same_as(end)))
         });
     }
     let counts = datum.as_int().is_some();

@@ -268,7 +268,7 @@ impl Reader<'_> {
     }
 
     /// What the sentence speaks of before its formula, with whatever formulas between: degrees, lengths.
-    fn degrees(&self) -> Topics {
+    fn sentence(&self) -> Topics {
         let mut own = Topics::default();
         // What the gap names, the section names.
         if self.topics.degrees().next().is_none() && !self.topics.has(Topic::Uneven) {
@@ -328,7 +328,7 @@ impl Reader<'_> {
         let statement = Statement {
             topics: self.topics,
             near: self.near(),
-            degrees: self.degrees(),
+            sentence: self.sentence(),
             gap: self.gap.clone(),
             denied: speech::denies(&self.gap),
             ..Statement::new(said, self.place())

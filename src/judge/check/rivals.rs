@@ -58,6 +58,8 @@ struct Rival {
     /// What they are, in words.
     what: String,
     means: Vec<Means>,
+    /// The formula over another interval.
+    chain: Option<Chain>,
 }
 
 /// x = a, f(t) = t^2: a name, and what it is said to be.
@@ -211,19 +213,17 @@ impl Checker {
             if !refuted(self) {
                 continue;
             }
-            let mut rivals: Vec<(Chain, Rival)> = self
-                .rivals(&appeal, &senses)
-                .into_iter()
-                .map(|rival| (appeal.chain.clone(), rival))
-                .collect();
-            let curves = self.other_curves(&appeal, &senses).into_iter();
-            rivals.extend(curves.map(|rival| (appeal.chain.clone(), rival)));
-            let elsewhere = over_other_intervals(&appeal, &senses).into_iter();
-            let interval = || Rival { what: "another interval".to_owned(), means: Vec::new() };
-            rivals.extend(elsewhere.map(|chain| (chain, interval())));
-            for (chain, rival) in rivals {
-                let Some(findings) = self.judged_with(&appeal, &chain, &rival.means) else { continue };
-                let reason = format!("it holds with {} of the page: which one is meant?", rival.what);
+            let mut rivals = self.rivals(&appeal, &senses);
+            rivals.extend(self.other_curves(&appeal, &senses));
+            rivals.extend(over_other_intervals(&appeal, &senses));
+            for rival in rivals {
+                let Some(findings) = self.judged_with(&appeal, &rival) else { continue };
+                let reason = match rival.means.as_slice() {
+                    [Means::Usual(base)] => format!(
+                        "it holds with the usual meaning of {base}, not that of the page: which one is meant?"
+                    ),
+                    _ => format!("it holds with {} of the page: which one is meant?", rival.what),
+                };
                 for (at, found) in findings.iter().enumerate() {
                     let own = &mut self.findings[appeal.first + at];
                     let holds = matches!(found.verdict, Verdict::Proved | Verdict::Sampled);
@@ -387,13 +387,10 @@ impl Checker {
         together.sort_by_key(|all| distance(all));
         together.truncate(TRIES / 3);
         alone.truncate(TRIES - together.len());
-        let rival = |senses: &[&Sense]| {
-            let base = senses[0].bases().first().cloned().unwrap_or_default();
-            let what = match senses[0].means {
-                Means::Usual(_) => format!("the usual meaning of {base}, not that"),
-                _ => format!("another {base}"),
-            };
-            Rival { what, means: senses.iter().map(|sense| sense.means.clone()).collect() }
+        let rival = |senses: &[&Sense]| Rival {
+            what: format!("another {}", senses[0].bases().first().map_or("", String::as_str)),
+            means: senses.iter().map(|sense| sense.means.clone()).collect(),
+            chain: None,
         };
         alone.into_iter().chain(together).map(rival).collect()
     }
@@ -447,11 +444,12 @@ impl Checker {
     }
 
     /// What would be found with other meanings.
-    fn judged_with(&mut self, appeal: &Appeal, chain: &Chain, means: &[Means]) -> Option<Vec<Finding>> {
+    fn judged_with(&mut self, appeal: &Appeal, rival: &Rival) -> Option<Vec<Finding>> {
         let Appeal { statement, known, .. } = appeal;
+        let chain = rival.chain.as_ref().unwrap_or(&appeal.chain);
         let limits = Limits { steps: Some(setting::share(&self.limits, 2)), ..self.limits.clone() };
         let mut other = Checker { limits, ..self.aside(known.clone()) };
-        for means in means {
+        for means in &rival.means {
             match means {
                 Means::Formula(head, body) => {
                     // y = x^2/2, where x was a function of t before
@@ -485,7 +483,7 @@ impl Checker {
 }
 
 /// A formula for a range, with the one on its other side: "on [0, 1] it is N(t) = …, on [1, 2] it is …".
-fn over_other_intervals(appeal: &Appeal, senses: &[Sense]) -> Vec<Chain> {
+fn over_other_intervals(appeal: &Appeal, senses: &[Sense]) -> Vec<Rival> {
     let Appeal { chain, statement, .. } = appeal;
     let mut found = Vec::new();
     for (at, condition) in chain.conditions.iter().enumerate() {
@@ -499,7 +497,7 @@ fn over_other_intervals(appeal: &Appeal, senses: &[Sense]) -> Vec<Chain> {
             }
             let mut other = chain.clone();
             exchange(&mut other.conditions[at], &[(&from, start), (&to, end)]);
-            found.push(other);
+            found.push(Rival { what: "another interval".to_owned(), means: Vec::new(), chain: Some(other) });
         }
     }
     found.truncate(TRIES);
@@ -517,7 +515,8 @@ fn exchange(expr: &mut Expr, pairs: &[(&Expr, &Expr)]) {
 /// A curve with points or weights that a page lists, or over an interval that it names.
 fn otherwise(object: &Object, sense: &Sense) -> Option<Rival> {
     let own = |what: &str, object: Object| {
-        Some(Rival { what: what.to_owned(), means: vec![Means::Object(Rc::new(object))] })
+        let means = vec![Means::Object(Rc::new(object))];
+        Some(Rival { what: what.to_owned(), means, chain: None })
     };
     match &sense.means {
         Means::Interval(from, to) => {

@@ -70,7 +70,7 @@ impl Checker {
             found.extend(self.curves_by_points(new, place, rational));
         }
         // "If these are the first points of a quintic, then κ(0) = …"
-        let degrees: Vec<i64> = statement.degrees.degrees().collect();
+        let degrees: Vec<i64> = statement.sentence.degrees().collect();
         if let (true, [degree]) = (new.arguments > 0, degrees.as_slice()) {
             found.retain(|curve| curve.degree.as_int().is_none_or(|own| own == *degree));
         }

@@ -278,7 +278,7 @@ pub struct Statement {
     /// What the sentences right before it speak of.
     pub near: Topics,
     /// What its sentence speaks of, where the section names degrees or lengths by words.
-    pub degrees: Topics,
+    pub sentence: Topics,
     /// The words between the formula before and this one.
     pub gap: String,
     /// Whether these words deny it.
@@ -296,7 +296,7 @@ pub struct Statement {
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
-        let (topics, near, degrees, gap) = Default::default();
+        let (topics, near, sentence, gap) = Default::default();
         let (denied, concludes, solved, released, of_a_kind) = Default::default();
         let role = None;
         Statement {
@@ -305,7 +305,7 @@ impl Statement {
             role,
             topics,
             near,
-            degrees,
+            sentence,
             gap,
             denied,
             concludes,

@@ -359,7 +359,7 @@ impl Checker {
         // The points of "the left part" are none of a scheme that is repeated.
         let part = [Topic::First, Topic::Second, Topic::Half].into_iter().any(|topic| topics.has(topic));
         let of_part = part && !topics.has(Topic::Scheme);
-        let told_uneven = statement.degrees.has(Topic::Uneven)
+        let told_uneven = statement.sentence.has(Topic::Uneven)
             || statement.topics.has(Topic::Uneven) && !statement.topics.has(Topic::Uniform);
         let even = |theorem: &Theorem| {
             !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length }

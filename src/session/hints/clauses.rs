@@ -22,6 +22,9 @@ impl Session {
         let ends = |c: char| c.is_whitespace() || matches!(c, '?' | '？' | '.' | ',' | ';' | ':');
         asking::clauses(text).into_iter().take(PLACES).find_map(|(end, start)| {
             let (before, after) = (text.get(..end)?, text.get(start..)?);
+            if is_inside_a_formula(before, text.get(end..start)?, after) {
+                return None;
+            }
             [(before, after), (after, before)].into_iter().enumerate().find_map(|(number, (core, left))| {
                 // What is left out before it may be what is asked.
                 if number == 1 && !syntax::is_title(left, &known, &function_in_words) {
@@ -42,4 +45,17 @@ impl Session {
             })
         })
     }
+}
+
+/// Whether a joint between clauses is a sign or a letter of a formula: the minus of t^4 - t^2, the y of x^2 + x y.
+fn is_inside_a_formula(before: &str, joint: &str, after: &str) -> bool {
+    let formula = |word: Option<&str>| {
+        word.is_some_and(|word| {
+            word.chars().count() == 1 || word.contains(|c: char| c.is_ascii_digit() || "^+*/=()".contains(c))
+        })
+    };
+    let joint = joint.trim();
+    let (letter, sign) = (joint.len() == 1 && joint.starts_with(char::is_alphabetic), joint == "-");
+    formula(before.split_whitespace().next_back())
+        && (letter || sign && formula(after.split_whitespace().next()))
 }
