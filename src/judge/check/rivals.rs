@@ -151,7 +151,6 @@ impl Checker {
             means.extend(interval_between(from, to));
         }
         self.last_number = number.map(|number| (formula, (!listed).then_some(number)));
-        let paragraph = statement.place.group;
         // 1, 2, 1 are three statements of one formula.
         if let Said::Bare(Side { expr, .. }, _) = &statement.said
             && let (true, []) = (bases(expr).is_empty(), means.as_slice())
@@ -164,16 +163,8 @@ impl Checker {
             }
         }
         let supposed = matches!(statement.role, Some(Role::Assumed | Role::Introduced));
-        let (scope, blocks) = (&statement.place.scope, &statement.place.blocks);
-        let new = means.into_iter().map(|means| Sense {
-            means,
-            scope: scope.clone(),
-            blocks: blocks.clone(),
-            paragraph,
-            formula,
-            supposed,
-            finding,
-        });
+        let new =
+            means.into_iter().map(|means| Sense { supposed, finding, ..Sense::at(&statement.place, means) });
         self.senses.extend(new);
     }
 
@@ -299,8 +290,8 @@ impl Checker {
 
     /// The line with the formula of a function that another sentence gives a second formula, without a word that would
     /// make it a claim: "The surface x(u, v) = … . The surface x(u, v) = …". Or after a third one of its own paragraph:
-    /// "For cubics d_i = … , and f = x^2 gives d_i = …", where another paragraph says what d_i is for quadratics; only the
-    /// first may be a slip.
+    /// "For cubics d_i = … , and f = x^2 gives d_i = …", where another paragraph says what d_i is for quadratics. Tells
+    /// whether it may be a slip, which only the first may.
     fn line_of_another(
         &self,
         Appeal { first, chain, statement, known }: &Appeal,
@@ -320,13 +311,14 @@ impl Checker {
                     && matches!(&sense.means, Means::Formula(own, _) if same(own))
             });
             let mut given = known.visible(&head.base, place);
-            any(head) && anew && given.all(|(_, own, _)| own.place.group != place.group)
+            anew && given.all(|(_, own, _)| own.place.group != place.group)
         };
         let silent = matches!(statement.role, None | Some(Role::Introduced)) && !chain.universal;
-        let whole = |head: &Head| head.arguments.is_some() && any(head);
-        let head = Head::of(&chain.sides[0].expr)
-            .filter(|head| refuted && (silent && whole(head) || renewed(head)))?;
+        let head = Head::of(&chain.sides[0].expr).filter(|head| refuted && any(head))?;
         let doubtful = !renewed(&head);
+        if doubtful && !(silent && head.arguments.is_some()) {
+            return None;
+        }
         let mut given = known.visible(&head.base, &statement.place);
         given.find_map(|(_, own, near)| {
             let same = near && own.head.flat().len() == head.flat().len() && any(&own.head);

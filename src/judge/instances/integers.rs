@@ -226,6 +226,11 @@ pub(in crate::judge) fn is_outside(bound: &[(String, i64)], last: &[(String, Exp
             .is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
 }
 
+/// Whether no integer is 0.
+pub(in crate::judge) fn is_positive(bound: &[(String, i64)]) -> bool {
+    bound.iter().all(|(_, value)| *value > 0)
+}
+
 /// The letters for which 0 may not be meant where nothing is said: sizes, and those of which something less is written,
 /// as the i of B_{i-1}, or that something is divided by.
 pub(in crate::judge) fn may_begin_with_one(sides: &[&Expr]) -> BTreeSet<String> {

@@ -12,7 +12,9 @@ use std::rc::Rc;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::instances::conditions::{CANNOT_HOLD, Conditions};
-use crate::judge::instances::integers::{as_values, equated_index, is_inner, is_outside, last_values};
+use crate::judge::instances::integers::{
+    as_values, equated_index, is_inner, is_outside, is_positive, last_values,
+};
 use crate::judge::instances::setting::{Facts, Setting, share};
 use crate::judge::instances::tally::{Failure, Outcomes, Tally};
 use crate::judge::model::{Choices, Model, Record, holds};
@@ -198,7 +200,7 @@ impl<'a> Trial<'a> {
         };
         let (inner, outer): (Vec<_>, Vec<_>) = all.into_iter().partition(|values| {
             let bound = named(values);
-            values.iter().all(|value| *value > 0) && !is_outside(&self.free(&bound), &self.last)
+            is_positive(&bound) && !is_outside(&self.free(&bound), &self.last)
         });
         let (mut inner, mut outer) = (inner.into_iter(), outer.into_iter());
         let turns = std::iter::from_fn(|| match (inner.next(), outer.next()) {
@@ -394,7 +396,9 @@ impl<'a> Trial<'a> {
         outcomes: &mut Outcomes,
     ) -> bool {
         let free = self.free(bound);
-        let inner = is_inner(&free) && degree != Some(0) && !is_outside(&free, &self.last);
+        let outside = is_outside(&free, &self.last);
+        let inner = is_inner(&free) && degree != Some(0) && !outside;
+        let proper = !outside && is_positive(bound);
         let mut valid = false;
         for (at, rel) in self.relations.iter().enumerate() {
             let tally = &mut outcomes.tallies[at];
@@ -448,10 +452,8 @@ impl<'a> Trial<'a> {
                     tally.holds += 1;
                     tally.nonzero += usize::from(!is_zero(left));
                     tally.holds_inner += usize::from(inner);
-                    let positive =
-                        bound.iter().all(|(_, value)| *value > 0) && !is_outside(&free, &self.last);
                     let seen = !is_zero(left) || self.says_zero(at);
-                    tally.holds_proper += usize::from(positive && seen);
+                    tally.holds_proper += usize::from(proper && seen);
                 }
                 // t = arcsin 0 = 0: what stands between is not understood.
                 Outcome::Fails(_) if left_at != Some(at) => {
@@ -464,7 +466,7 @@ impl<'a> Trial<'a> {
                         degree,
                         around: around.clone(),
                         inner,
-                        outside: is_outside(&free, &self.last)
+                        outside: outside
                             || degree
                                 .is_some_and(|degree| free.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,

@@ -47,6 +47,19 @@ pub(in crate::judge) enum Means {
 }
 
 impl Sense {
+    /// What is said at a place, without a finding that says it.
+    pub(in crate::judge) fn at(place: &Place, means: Means) -> Self {
+        Sense {
+            means,
+            scope: place.scope.clone(),
+            blocks: place.blocks.clone(),
+            paragraph: place.group,
+            formula: place.formula,
+            supposed: false,
+            finding: None,
+        }
+    }
+
     /// The letters that it gives a meaning.
     pub(in crate::judge) fn bases(&self) -> Vec<String> {
         match &self.means {
@@ -61,14 +74,6 @@ impl Sense {
 impl Checker {
     /// Keeps that the page gives a letter with a usual meaning one of its own.
     pub(in crate::judge) fn means_its_own(&mut self, base: &str, place: &Place) {
-        self.senses.push(Sense {
-            means: Means::Usual(base.to_owned()),
-            scope: place.scope.clone(),
-            blocks: place.blocks.clone(),
-            paragraph: place.group,
-            formula: place.formula,
-            supposed: false,
-            finding: None,
-        });
+        self.senses.push(Sense::at(place, Means::Usual(base.to_owned())));
     }
 }

@@ -77,11 +77,16 @@ impl Checker {
 
 /// The letter of a family of which an equation says all that it is, in another way than everybody does: B_i^n(t) = t^i.
 fn family_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
-    let head = Head::of(&chain.sides[0].expr).filter(is_whole_family)?;
+    let head = family_told(chain).filter(|_| chain.relations.len() == 1)?;
     let first = findings.first()?;
     let other = first.verdict == Verdict::Refuted || first.warning.is_some();
-    let says = chain.relations.len() == 1 && !bases(&chain.sides[1].expr).contains(&head.base);
-    (other && says && families::has_values(&head.base)).then_some(head.base)
+    (other && families::has_values(&head.base)).then_some(head.base)
+}
+
+/// The head of which the first equation of a chain says what all its members are, not by themselves.
+pub(in crate::judge) fn family_told(chain: &Chain) -> Option<Head> {
+    let head = Head::of(&chain.sides[0].expr).filter(is_whole_family)?;
+    (!bases(&chain.sides[1].expr).contains(&head.base)).then_some(head)
 }
 
 /// The letter of an operator of which an equation says what it does, in another way than everybody does: Δb_i = b_i - b_{i-1}.

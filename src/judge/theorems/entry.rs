@@ -101,6 +101,11 @@ impl Theorem {
         self.meaning.split(' ').find_map(|word| word.strip_prefix("degree")?.parse().ok())
     }
 
+    /// Whether its letters stand for something of this kind where it is checked.
+    pub(super) fn means(&self, kind: &str) -> bool {
+        self.meaning.split(' ').any(|word| word == kind)
+    }
+
     /// How many derivatives have to agree where two curves meet: 1, if it is one on C^1.
     pub(super) fn smoothness(&self) -> Option<i64> {
         let contact = self.contact.as_ref().and_then(|order| order.parse().ok());

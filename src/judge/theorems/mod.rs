@@ -37,7 +37,7 @@ use crate::judge::instances::trial::Trial;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::found::Agreement;
 use crate::judge::known::unfold;
-use crate::judge::known::unread::is_whole_family;
+use crate::judge::known::unread::family_told;
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, Context, Mark};
 use crate::judge::page::finding::{Finding, Verdict};
@@ -71,10 +71,10 @@ impl Checker {
             if !joined && !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
                 continue;
             }
-            // a(z) = Σ a_k z^k = (1 + z)^n: what is said of the sum is said of a(z).
             if self.doubt([at, at + 1], chain, &statement.place).is_some() {
                 continue;
             }
+            // a(z) = Σ a_k z^k = (1 + z)^n: what is said of the sum is said of a(z).
             let whole = at > 0 && Head::of(&chain.sides[0].expr).is_some();
             let mut lefts = std::iter::once(at).chain(whole.then_some(0));
             let found = budget::run(&limits, || {
@@ -85,9 +85,7 @@ impl Checker {
             if finding.verdict == Verdict::Definition
                 && found.verdict == Verdict::Refuted
                 && statement.role == Some(Role::Introduced)
-                && Head::of(&chain.sides[0].expr).is_some_and(|head| {
-                    is_whole_family(&head) && !bases(&chain.sides[1].expr).contains(&head.base)
-                })
+                && family_told(chain).is_some()
             {
                 continue;
             }
@@ -331,13 +329,9 @@ impl Checker {
 
     /// Whether the paragraph speaks last of an interval that is none of [0, 1] and its halves.
     fn is_cut_elsewhere(&self, place: &Place) -> bool {
-        let halves = |[from, to]: [&Expr; 2]| {
-            let number = |expr: &Expr| evaluator::number(expr).map(|number| number * rational(2, 1));
-            let ends = [number(from), number(to)];
-            ends.iter()
-                .all(|end| end.as_ref().is_none_or(|end| [integer(0), integer(1), integer(2)].contains(end)))
-        };
-        self.context.intervals_beside(place).next_back().is_some_and(|(_, ends, _)| !halves(ends))
+        let halves = [integer(0), rational(1, 2), integer(1)];
+        let cut = |end: &Expr| evaluator::number(end).is_some_and(|end| !halves.contains(&end));
+        self.context.intervals_beside(place).next_back().is_some_and(|(_, ends, _)| ends.into_iter().any(cut))
     }
 
     /// The theorems that a claim may be an instance of.
@@ -361,6 +355,7 @@ impl Checker {
         let of_part = part && !topics.has(Topic::Scheme);
         let told_uneven = statement.sentence.has(Topic::Uneven)
             || statement.topics.has(Topic::Uneven) && !statement.topics.has(Topic::Uniform);
+        let cut_elsewhere = told_uneven || self.is_cut_elsewhere(claim.place);
         let even = |theorem: &Theorem| {
             !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length }
         };
@@ -373,8 +368,8 @@ impl Checker {
         for theorem in known {
             let halves = [Topic::Half, Topic::Subdivision].into_iter().any(|topic| theorem.is_about(topic));
             if !theorem.is_spoken_of(topics)
-                || halves && (told_uneven || self.is_cut_elsewhere(claim.place))
-                || of_part && theorem.meaning.split(' ').any(|word| word == "scheme")
+                || cut_elsewhere && halves
+                || of_part && theorem.means("scheme")
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
             {

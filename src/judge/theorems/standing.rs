@@ -42,7 +42,7 @@ impl Checker {
         let of_powers = |(theirs, ours): &(String, Expr)| {
             theirs != "a" || Head::of(ours).is_some_and(|head| self.has_powers(&head.base, claim.place))
         };
-        if theorem.meaning.split(' ').any(|word| word == "powers") && !way.letters.iter().all(of_powers) {
+        if theorem.means("powers") && !way.letters.iter().all(of_powers) {
             return Standing::Doubtful;
         }
         let named = |letter: &String| equation.profile.is_family(letter) || letter.starts_with(['B', 'N']);
@@ -366,17 +366,14 @@ impl Checker {
 fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said) -> bool {
     let unit = |(from, to): &(Expr, Expr)| is_unit([from, to]);
     let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
-    let words = || theorem.meaning.split(' ');
     is_for_the_unit_interval(theorem, equation)
         && (said.intervals.iter().any(|ends| numbers(ends) && !unit(ends))
-            || words().any(|word| word == "hermite")
-                && said.intervals.first().is_some_and(|ends| !unit(ends)))
+            || theorem.means("hermite") && said.intervals.first().is_some_and(|ends| !unit(ends)))
 }
 
 /// Whether an equation holds over [0, 1] and has no other ends in it.
 fn is_for_the_unit_interval(theorem: &Theorem, equation: &Equation) -> bool {
     let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
     let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
-    theorem.meaning.split(' ').any(|word| over_unit.contains(&word))
-        && !equation.profile.variables.iter().any(lengths)
+    over_unit.into_iter().any(|kind| theorem.means(kind)) && !equation.profile.variables.iter().any(lengths)
 }

@@ -64,9 +64,8 @@ impl Checker {
         relations: &[Rel],
         best: &Attempt,
     ) -> Option<Attempt> {
-        let open = |attempt: &Attempt| {
-            attempt.outcomes.tallies.iter().any(|tally| tally.holds == 0 && tally.fails.is_empty())
-        };
+        let decided = |tally: &Tally| tally.holds > 0 || !tally.fails.is_empty();
+        let open = |attempt: &Attempt| !attempt.outcomes.tallies.iter().all(decided);
         let unclear = best.outcomes.tallies.iter().any(|tally| !tally.unclear.is_empty());
         let unknown = best.outcomes.tallies.iter().any(|tally| {
             let record = &tally.record;
@@ -87,7 +86,6 @@ impl Checker {
             found.push(attempt);
         }
         // What is no function and was compared as points stays so; else the coordinate in which it fails counts.
-        let decided = |tally: &Tally| tally.holds > 0 || !tally.fails.is_empty();
         let whole = best.outcomes.tallies.iter().any(decided);
         let worth = |tally: &Tally| (!tally.fails.is_empty(), tally.nonzero);
         let telling = |at: usize| {

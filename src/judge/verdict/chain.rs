@@ -7,7 +7,7 @@ use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::Tally;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::{definable, is_root_of};
-use crate::judge::known::unread::is_whole_family;
+use crate::judge::known::unread::{family_told, is_whole_family};
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, is_variable};
 use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
@@ -402,8 +402,7 @@ impl Checker {
                 && finding.verdict == Verdict::Refuted
                 && statement.role == Some(Role::Introduced)
                 && refute::is_standard(Some(head))
-                && is_whole_family(head)
-                && !bases(&chain.sides[1].expr).contains(&head.base)
+                && family_told(chain).is_some()
             {
                 verdict = Judged::Redefinition(Some(refute::not_usual(head, finding.witness.clone())));
             }
@@ -434,10 +433,11 @@ impl Checker {
                 }
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
+                        let usual = refute::is_standard(Some(head)) && warning.is_some();
                         let meant = statement.role == Some(Role::Introduced) && is_whole_family(head);
-                        if meant && warning.is_some() {
+                        if usual && meant {
                             self.means_its_own(&head.base, &statement.place);
-                        } else if refute::is_standard(Some(head)) && warning.is_some() {
+                        } else if usual {
                             // What everybody calls so keeps its meaning.
                             findings[at].verdict = Verdict::Definition;
                             findings[at].reason = Some(format!("introduces {}", head.base));
