@@ -142,6 +142,7 @@ impl Checker {
                     if statement.role == Some(Role::Equivalent) {
                         self.as_a_consequence(chain, statement, &mut findings);
                     }
+                    self.keep_equations(chain, statement, &findings);
                     if join || statement.role == Some(Role::Equivalent) {
                         self.by_the_field(chain, statement, &mut findings, before);
                     }
@@ -154,6 +155,7 @@ impl Checker {
                         self.note_appeal(chain, statement, before, &findings);
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
+                        self.keep_equations(chain, statement, &findings);
                         self.remember_law(chain, &statement.place, &findings);
                         let line = self.line(chain.sides[0].expr.span);
                         self.unread.extend(Unread::of(chain, &statement.place, &findings, line, &self.seen));
@@ -232,6 +234,7 @@ impl Checker {
         self.by_curvature(chain, statement, &mut findings, before);
         self.by_own_values(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
+        self.by_equations(chain, statement, &mut findings, before);
         self.as_said_before(chain, statement, &mut findings, before);
         Ok(findings)
     }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use crate::budget::Limits;
 use crate::formula::Expr;
 use crate::formula::source::{SourceFile, Span};
-use crate::judge::known::found::{Agreement, Row, Scheme, Taken, Use};
+use crate::judge::known::found::{Agreement, Equation, Row, Scheme, Taken, Use};
 use crate::judge::known::senses::{Appeal, Sense};
 use crate::judge::known::unread::Unread;
 use crate::judge::model::Ambiguity;
@@ -44,6 +44,8 @@ pub struct Checker {
     pub(in crate::judge) agreements: Vec<Agreement>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(in crate::judge) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// Equations that the page gives or that hold on it.
+    pub(in crate::judge) equations: Vec<Rc<Equation>>,
     /// Numbers that the page gives, for later ones.
     pub(in crate::judge) rows: Vec<Row>,
     /// Letters of the operators that the page defines.
@@ -86,6 +88,7 @@ impl Checker {
             agreed: Vec::new(),
             agreements: Vec::new(),
             settled: RefCell::default(),
+            equations: Vec::new(),
             rows: Vec::new(),
             marked: BTreeSet::new(),
             operators: BTreeSet::new(),

@@ -59,6 +59,23 @@ pub(in crate::judge) enum Made {
 /// The coordinates of a point, or one number.
 pub(in crate::judge) type Point = Vec<Rational>;
 
+/// An equation of the page: others may follow from it.
+#[derive(Clone)]
+pub(in crate::judge) struct Equation {
+    /// Its sides, with plain letters and numbers in the places of indices.
+    pub(in crate::judge) sides: (Expr, Expr),
+    /// For which indices it is said.
+    pub(in crate::judge) ranges: Vec<Expr>,
+    /// The letters in it that are no variables.
+    pub(in crate::judge) letters: BTreeSet<String>,
+    pub(in crate::judge) place: Place,
+    pub(in crate::judge) line: usize,
+    /// Whether it is supposed for its paragraph only.
+    pub(in crate::judge) assumed: bool,
+    /// Whether it is given or holds.
+    pub(in crate::judge) sure: bool,
+}
+
 /// Numbers that a page gives: a list, or members of one family one after the other.
 #[derive(Clone)]
 pub(in crate::judge) struct Row {

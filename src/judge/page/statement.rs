@@ -44,11 +44,15 @@ pub struct Place {
 impl Place {
     /// Whether data from there may be others here: words change them, or they belong to another item of a list.
     pub fn may_change(&self, earlier: &Place) -> bool {
+        let here = self.recalled.as_deref().unwrap_or(self);
+        earlier.changes < here.changes || self.is_apart(earlier)
+    }
+
+    /// Whether data from there belong to another item of a list, or numbers were told since that nothing took.
+    pub fn is_apart(&self, earlier: &Place) -> bool {
         // What an example said that the paragraph goes back to holds here.
         let here = self.recalled.as_deref().unwrap_or(self);
-        earlier.formula < self.spare
-            || earlier.changes < here.changes
-            || !here.items.starts_with(&earlier.items)
+        earlier.formula < self.spare || !here.items.starts_with(&earlier.items)
     }
 
     /// Whether words said since then that something else stands in the place of a letter.

@@ -26,6 +26,9 @@ use crate::language::write;
 use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
+/// Why an equation is left open of whose names nothing is known.
+pub(in crate::judge) const MEANINGLESS: &str = "an equation between names without a meaning";
+
 /// What a failing relation is taken for.
 pub enum Decision {
     /// Wrong.
@@ -501,7 +504,7 @@ pub fn decide(
         if numbers || expansion || family || identity || (same && (at > 0 || degrees_agree(&failure))) {
             return refuted(failure);
         }
-        return Decision::Condition("an equation between names without a meaning".to_owned());
+        return Decision::Condition(MEANINGLESS.to_owned());
     }
     let letters = |symbols: &BTreeSet<Symbol>| -> BTreeSet<String> {
         symbols.iter().map(|symbol| symbol.base().to_owned()).collect()

@@ -6,6 +6,7 @@
 
 mod claim;
 pub(super) mod compare;
+pub(super) mod consequences;
 pub(super) mod equality;
 pub mod evaluator;
 pub(super) mod family;
