@@ -16,6 +16,12 @@ impl Checker {
     pub(in crate::judge) fn object(&mut self, object: &Object, place: &Place) {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let mut object = object.clone();
+        // "The polynomial pieces of B_{0,4}" are no other B_{0,4}.
+        if let (Some(of), [name]) = (&object.of, object.names.as_slice())
+            && of.same_as(name)
+        {
+            return;
+        }
         // The pieces of a spline meet at the data, if nothing else is said.
         if object.sort == Sort::SplineCurve && object.knots.is_empty() && object.points.is_empty() {
             object.knots = object.data.iter().map(|(x, _)| x.clone()).collect();

@@ -61,39 +61,35 @@ impl Model {
         items: &[Expr],
         arity: Option<usize>,
     ) -> Result<Option<Vec<Value>>, Diagnostic> {
-        let single = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Accent(..));
-        let factors: Vec<&Expr> = items
+        let is_product = |item: &Expr| match &item.kind {
+            Kind::Mul(factors) => factors.iter().any(|factor| power(factor).is_some()),
+            _ => false,
+        };
+        let factors: Vec<(&Expr, bool)> = items
             .iter()
             .flat_map(|item| match &item.kind {
-                Kind::Mul(factors) if factors.iter().any(|factor| power(factor).is_some()) => {
-                    factors.iter().collect()
-                }
-                _ => vec![item],
+                Kind::Mul(factors) if is_product(item) => factors.iter().map(|one| (one, false)).collect(),
+                _ => vec![(item, true)],
             })
             .collect();
-        let count = |factor: &&Expr| match power(factor).filter(|(base, _)| single(base)) {
-            Some((_, exponent)) => machine.eval_int(exponent).ok(),
-            None => single(factor).then_some(1),
-        };
         let number =
-            |factor: &&Expr| power(factor).is_some_and(|(base, _)| matches!(base.kind, Kind::Number(_)));
-        // Nobody writes f(r^{n-i}, s^i) for powers.
-        let counted = |factor: &&Expr| {
-            let symbolic = power(factor).is_some_and(|(_, exponent)| !bases(exponent).is_empty());
-            symbolic || matches!(factor.kind, Kind::Upper(..))
+            |factor: &Expr| power(factor).is_some_and(|(base, _)| matches!(base.kind, Kind::Number(_)));
+        let count = |&(factor, whole): &(&Expr, bool)| match repetition(factor) {
+            Some((_, exponent)) => machine.eval_int(exponent).ok(),
+            None => (is_single(factor) || whole && power(factor).is_none()).then_some(1),
         };
         // Powers of names are repetitions where that gives the number of arguments, and the powers do not.
-        let repeated = factors.iter().any(number)
+        let repeated = factors.iter().any(|(factor, _)| number(factor))
             || arity.is_some_and(|arity| {
-                (arity != items.len() || factors.iter().any(counted))
+                (arity != items.len() || factors.iter().any(|(factor, _)| is_counted(factor)))
                     && factors.iter().map(count).sum::<Option<i64>>() == i64::try_from(arity).ok()
             });
         if !repeated {
             return Ok(None);
         }
         let mut values = Vec::new();
-        for factor in factors {
-            match power(factor).filter(|(base, _)| single(base)) {
+        for (factor, _) in factors {
+            match repetition(factor) {
                 Some((base, exponent)) => {
                     let count = machine.eval_int(exponent)?;
                     let count = usize::try_from(count).map_err(|_| {
@@ -121,4 +117,20 @@ fn power(expr: &Expr) -> Option<(&Expr, &Expr)> {
         },
         _ => None,
     }
+}
+
+fn is_single(expr: &Expr) -> bool {
+    matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Accent(..))
+}
+
+/// Whether its exponent can only count: nobody writes f(r^{n-i}, s^i) for powers.
+fn is_counted(factor: &Expr) -> bool {
+    let symbolic = power(factor).is_some_and(|(_, exponent)| !bases(exponent).is_empty());
+    symbolic || matches!(factor.kind, Kind::Upper(..))
+}
+
+/// A power that may be a repetition: t^3, (t + h)^{(m)}.
+fn repetition(factor: &Expr) -> Option<(&Expr, &Expr)> {
+    power(factor)
+        .filter(|(base, _)| is_single(base) || matches!(base.kind, Kind::Group(_)) && is_counted(factor))
 }

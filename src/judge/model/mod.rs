@@ -406,6 +406,10 @@ impl Model {
         } else if let Some(value) = self.local(machine, &head) {
             return Some(Ok(value));
         }
+        if self.context.letters.is_beside_bold(expr) && !self.context.is_named_alone(&head.base, &self.place)
+        {
+            return Some(self.symbol(machine, &head, expr).map(Value::symbol));
+        }
         if let Some(result) = self.defined(machine, &head, None) {
             return Some(result);
         }

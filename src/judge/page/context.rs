@@ -231,6 +231,12 @@ impl Context {
         })
     }
 
+    /// Whether a letter alone, without indices and arguments, has a meaning of its own.
+    pub fn is_named_alone(&self, base: &str, place: &Place) -> bool {
+        let alone = |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        self.visible(base, place).any(|(_, own, _)| alone(&own.head))
+    }
+
     /// Adds a definition.
     pub fn define(&mut self, mut definition: Definition) {
         self.seen.take();

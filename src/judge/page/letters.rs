@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel};
+use crate::formula::{Accent, BinomialStyle, Expr, Kind, Link, Rel};
 use crate::judge::page::statement::{Said, Statement};
 use crate::judge::page::topic::Topic;
 use crate::judge::written::features::has_column;
@@ -48,6 +48,8 @@ pub struct Letters {
     degrees: [bool; 2],
     /// Whether points are written as what looks like binomial coefficients.
     columns: bool,
+    /// Letters of curves and points that are written bold.
+    bold: BTreeSet<String>,
 }
 
 /// Whether a member of a family with the notation of Bernstein polynomials stands in a formula.
@@ -130,8 +132,19 @@ impl Letters {
         letters
     }
 
+    /// Whether a plain letter is another thing than the curve or the points with this letter, which are bold: the end b of
+    /// [a, b], where a curve is **b**.
+    pub fn is_beside_bold(&self, expr: &Expr) -> bool {
+        matches!(&expr.kind, Kind::Name(letter) if self.bold.contains(letter))
+    }
+
     fn look(&mut self, expr: &Expr) {
         match &expr.kind {
+            Kind::Accent(Accent::Bold, inner) => {
+                if let Kind::Name(letter) = &inner.kind {
+                    self.bold.insert(letter.clone());
+                }
+            }
             Kind::Apply(callee, groups) => {
                 for argument in groups.iter().flatten() {
                     walk(argument, &mut |part| {

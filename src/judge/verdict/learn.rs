@@ -193,6 +193,9 @@ impl Checker {
             return false;
         };
         let new = |name: &Expr| match &name.kind {
+            Kind::Name(base) if self.context.letters.is_beside_bold(name) => {
+                !self.context.is_named_alone(base, place)
+            }
             Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
             _ => false,
         };

@@ -222,8 +222,26 @@ pub fn block(words: &str) -> Option<Block> {
             }
         }
     }
+    if let Some(block) = super::tongue::block(&low).filter(|_| marked || capital && closed) {
+        return Some(block);
+    }
+    // "**Worked example.**", "*Numerisches Beispiel:*"
+    let titled = ["**", "__", "*", "_"].into_iter().find_map(|mark| run_in_title(words, mark));
+    let example = |word: &str| {
+        let mut names = LANGUAGES.iter().flat_map(|language| language.blocks);
+        names.any(|(name, block)| *block == Block::Closed && *name == word)
+    };
+    if let Some((title, Some(_))) = titled
+        && title.split_whitespace().count() <= LONGEST_LABEL
+        && title.to_lowercase().split(|c: char| !c.is_alphabetic()).any(example)
+    {
+        return Some(Block::Closed);
+    }
     is_run_in_heading(words).then_some(Block::Open)
 }
+
+/// So many words are a label.
+const LONGEST_LABEL: usize = 4;
 
 /// Whether a paragraph begins with a heading of its own: "**Degree elevation.**", but not "**Step 1.**", "**Given:**".
 fn is_run_in_heading(words: &str) -> bool {
