@@ -4,7 +4,7 @@ use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel, interval};
 use crate::judge::page::statement::{Chain, Role, Said, Side, Statement, links};
 use crate::judge::written::names::{Head, bases, contains, is_index_letter, is_range, walk};
-use crate::language::lexicon::roles::is_variable;
+use crate::language::lexicon::roles::{is_control_point, is_variable};
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -314,7 +314,14 @@ pub(super) fn is_condition(expr: &Expr, follows: bool) -> bool {
                 && matches!(&expr.kind, Kind::Add(_))
                 && bases(expr).iter().all(index)
                 && !bases(expr).is_empty();
-            (names && (one || follows && bare(expr))) || (weights && one) || sizes
+            // "a term with t_j = t_{j+k-1}"; where d_{n+i} = d_i, a curve is closed.
+            let index = |part: &Expr| {
+                Head::of(part).filter(|head| head.arguments.is_none() && head.index().is_some())
+            };
+            let coincide = follows
+                && matches!((index(left), index(expr)), (Some(one), Some(other))
+                    if one.base == other.base && !is_control_point(&one.base) && bases(left).iter().any(|name| is_index_letter(name)));
+            (names && (one || follows && bare(expr))) || (weights && one) || sizes || coincide
         }
         _ => false,
     }

@@ -21,6 +21,7 @@ use crate::judge::known::meaning::{definable, is_root_of};
 use crate::judge::known::unread::Unread;
 use crate::judge::page::context::{Body, Condition, Definition, Mark, is_variable};
 use crate::judge::page::finding::{Finding, Verdict, blank, of_side, without_statement};
+use crate::judge::page::members::with_members_listed;
 use crate::judge::page::object::{Declared, Object};
 use crate::judge::page::reach::whole_sums;
 use crate::judge::page::statement::{Chain, Role, Said, Side, Statement, equates_values};
@@ -107,6 +108,8 @@ impl Checker {
                 let chain = operated.as_ref().unwrap_or(chain);
                 let renamed = self.with_marked_names(chain, &statement.place);
                 let chain = renamed.as_ref().unwrap_or(chain);
+                let listed = with_members_listed(chain);
+                let chain = listed.as_ref().unwrap_or(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;
                     for at in 0..chain.relations.len() {

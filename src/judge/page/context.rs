@@ -124,6 +124,12 @@ impl Mark {
 }
 
 impl Definition {
+    /// Whether it is made of nothing but its own indices and arguments: t_j = j.
+    pub fn is_datum(&self) -> bool {
+        let own: BTreeSet<String> = self.head.lower.iter().chain(self.head.flat()).flat_map(bases).collect();
+        matches!(&self.body, Body::Formula(body) if bases(body).is_subset(&own))
+    }
+
     /// The number that it gives to a name without indices: n = 3.
     pub fn number(&self) -> Option<&Expr> {
         let head = &self.head;

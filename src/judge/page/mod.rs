@@ -9,6 +9,7 @@ mod data;
 pub mod finding;
 mod knots;
 pub(super) mod letters;
+pub(in crate::judge) mod members;
 pub(crate) mod object;
 pub(super) mod reach;
 pub mod statement;

@@ -197,6 +197,15 @@ impl Checker {
                 !self.context.is_named_alone(base, place)
             }
             Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
+            // t_j = j elsewhere, and other knots in an example
+            Kind::Subscript(..) => Head::of(name).is_some_and(|head| {
+                let anew = statement.role == Some(Role::Introduced);
+                let mut known = self.context.visible(&head.base, place).filter(|(_, _, near)| *near);
+                head.index().is_some_and(|index| index.as_int().is_some())
+                    && known.all(|(_, own, _)| {
+                        own.place.blocks.len() < place.blocks.len() && (anew || own.is_datum())
+                    })
+            }),
             _ => false,
         };
         let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
