@@ -7,7 +7,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
 use crate::judge::model::applies;
 use crate::judge::page::statement::Chain;
-use crate::judge::written::names::{Head, operated};
+use crate::judge::written::names::{Head, bases, operated};
 use crate::language::lexicon::roles::is_variable;
 
 impl Checker {
@@ -28,8 +28,32 @@ impl Checker {
         let known = |letter: &str| self.operators.contains(letter);
         let mut changed = chain.clone();
         changed.sides.iter_mut().for_each(|side| rewrite(&mut side.expr, &known));
+        // B_n e_1 = x: equal as functions of x
+        let variable = changed.sides.iter().flat_map(|side| bases(&side.expr)).find(|name| is_variable(name));
+        let variable = Expr::name(variable.unwrap_or_else(|| "x".to_owned()));
+        let is_function = |part: &Expr| {
+            Head::of(part).is_some_and(|head| {
+                head.arguments.is_none() && !known(&head.base) && self.context.letters.is_function(&head.base)
+            })
+        };
+        for side in &mut changed.sides {
+            let Kind::Mul(factors) = &side.expr.kind else { continue };
+            if let [operator, function] = factors.as_slice()
+                && is_operator(operator, &known)
+                && is_function(function)
+            {
+                side.expr = canonical((operator.clone(), function.clone(), variable.clone()), &side.expr);
+            }
+        }
         Some(changed)
     }
+}
+
+/// B_n
+fn is_operator(expr: &Expr, known: &dyn Fn(&str) -> bool) -> bool {
+    Head::of(expr).is_some_and(|head| {
+        head.lower.len() == 1 && head.upper.is_empty() && head.arguments.is_none() && known(&head.base)
+    })
 }
 
 fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
@@ -63,12 +87,7 @@ fn canonical((operator, function, argument): (Expr, Expr, Expr), whole: &Expr) -
 
 /// The operator, the function and the argument of a formula in one of the ways.
 fn applied(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<(Expr, Expr, Expr)> {
-    let operator = |expr: &Expr| {
-        let indexed = Head::of(expr).filter(|head| {
-            head.lower.len() == 1 && head.upper.is_empty() && head.arguments.is_none() && known(&head.base)
-        });
-        indexed.is_some()
-    };
+    let operator = |expr: &Expr| is_operator(expr, known);
     // B_n(t, x) is the operator at the function t.
     let function = |expr: &Expr| match &expr.kind {
         Kind::Name(name) if name.chars().count() == 1 && !is_variable(name) => Some(expr.clone()),

@@ -184,6 +184,11 @@ impl Model {
         let around = if self.is_local() || spline.is_some() { self.number_here(argument) } else { None };
         let derived = |value: Value| {
             each(value, &|formula| {
+                // A point of an algorithm, of which it is not known how it depends on the variable
+                let own = formula.variables();
+                if !own.contains(&fresh) && own.iter().any(|symbol| !symbol.upper().is_empty()) {
+                    return Err(unclear("how this function depends on its variable", expr));
+                }
                 let derived = nth_derivative(&formula, &fresh, order);
                 derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
             })

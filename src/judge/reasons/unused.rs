@@ -71,6 +71,28 @@ impl Checker {
         self.open_law(sides, place)
             .or_else(|| self.changed_data(sides, place))
             .or_else(|| self.given_as_a_list(sides, place))
+            .or_else(|| self.listed_beside(sides, place))
+    }
+
+    /// "With the weights (1, 1, 2) we find W(t) = …", where nothing else says what the w_i are.
+    fn listed_beside(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        if place.spare == 0 {
+            return None;
+        }
+        let reached = self.context.reached(&sides, place);
+        let family = |name: &&String| {
+            let valued = |own: &Definition| match &own.body {
+                Body::Formula(body) => bases(body).is_empty(),
+                Body::Value(value) => compare::symbols(value).is_empty(),
+            };
+            self.context.letters.has_members(name)
+                && !self.context.letters.is_function(name)
+                && !is_variable(name)
+                && !is_index_letter(name)
+                && !self.context.visible(name, place).any(|(_, own, _)| valued(own))
+        };
+        let name = reached.iter().find(family)?;
+        Some(format!("the numbers beside it may say what the {name} with indices are"))
     }
 
     /// A letter that a relation rests on, for which words put something else: "replacing b_1 by 4 we get". What holds with

@@ -75,6 +75,7 @@ impl Checker {
             && !bases(&formula).contains(name)
         {
             self.apply_families(&mut formula, variable, place);
+            formula = self.with_parameter(formula, name, place);
         }
         self.define_by(
             source,
@@ -96,6 +97,22 @@ impl Checker {
                 let head = Head { arguments: Some(vec![vec![Expr::name(variable)]]), ..head.clone() };
                 self.define(head, Body::Formula(applied), &chain.conditions, place, body.expr.span);
             }
+        }
+    }
+
+    /// b(u) = Σ b_i B_i^n(t) with t = (u - a)/(b - a): what t is there, wherever another t comes later.
+    fn with_parameter(&self, formula: Expr, variable: &str, place: &Place) -> Expr {
+        let inner = |name: &String| {
+            let (_, own, _) = self.context.visible(name, place).next()?;
+            let Body::Formula(body) = &own.body else { return None };
+            let alone = own.head.lower.is_empty() && own.head.arguments.is_none();
+            let here = own.place.group == place.group && own.place.formula + 1 >= place.formula;
+            (is_variable(name) && alone && here && bases(body).contains(variable))
+                .then(|| body.clone().grouped())
+        };
+        match bases(&formula).iter().find_map(|name| Some((name.clone(), inner(name)?))) {
+            Some((name, body)) => formula.with_name(&name, &body),
+            None => formula,
         }
     }
 
