@@ -96,7 +96,15 @@ impl Checker {
         before: Mark,
     ) {
         let claimed = matches!(statement.role, None | Some(Role::Claimed | Role::Always));
-        if !claimed || chain.blocked || chain.partial || chain.given || !chain.conditions.is_empty() {
+        // Said of any, it rests on no data.
+        let general = !statement.released.is_empty() || chain.universal;
+        if !claimed
+            || general
+            || chain.blocked
+            || chain.partial
+            || chain.given
+            || !chain.conditions.is_empty()
+        {
             return;
         }
         for at in 0..findings.len() {

@@ -147,13 +147,27 @@ impl Suspect<'_> {
 
     /// A function of the page that stands in a sum or product without an argument, and with one elsewhere:
     /// 2 T_1 T_1(x).
+    /// Whether a name without upper indices is a member of a family that never has arguments.
+    fn is_control_point(&self, head: &Head) -> bool {
+        let place = &self.statement.place;
+        let mut known = self.checker.context.visible(&head.base, place);
+        head.upper.is_empty()
+            && !head.lower.is_empty()
+            && known.all(|(_, own, _)| own.head.arguments.is_none() || !own.head.upper.is_empty())
+    }
+
     fn function_without_argument(&self) -> Option<String> {
         let functions: Vec<&Definition> =
             self.used().filter(|definition| definition.head.arguments.is_some()).collect();
         let same = |head: &Head| {
             functions
                 .iter()
-                .any(|known| known.head.base == head.base && known.head.lower.len() == head.lower.len())
+                // b_i is a control point, where b_i^r(t) are those of the algorithm.
+                .any(|known| {
+                    known.head.base == head.base
+                        && known.head.lower.len() == head.lower.len()
+                        && (known.head.upper.len() == head.upper.len() || !self.is_control_point(head))
+                })
         };
         let bare = |part: &Expr| Head::of(part).is_some_and(|head| head.arguments.is_none() && same(&head));
         let called = self.any(&mut |part| matches!(&part.kind, Kind::Apply(callee, _) if bare(callee)));
