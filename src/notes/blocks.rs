@@ -264,7 +264,10 @@ pub(super) fn count_new_values(statements: &mut [Statement]) {
         };
         // t = 0, t = 1: places, no data
         let named = Head::of(&name.expr).is_some_and(|head| {
-            head.arguments.is_none() && !(head.lower.is_empty() && is_variable(&head.base))
+            // b_0^1 at another t
+            head.arguments.is_none()
+                && head.upper.is_empty()
+                && !(head.lower.is_empty() && is_variable(&head.base))
         });
         let function =
             Head::of(&name.expr).is_some_and(|head| head.arguments.is_some() && head.lower.is_empty());

@@ -76,8 +76,8 @@ pub fn statements(document: &Document) -> Vec<Statement> {
 struct Reader<'a> {
     document: &'a Document,
     statements: Vec<Statement>,
-    /// Level and number of the open sections.
-    sections: Vec<(u8, u32)>,
+    /// The open sections, outermost first.
+    sections: Vec<Section>,
     enclosures: Vec<(Enclosure, u32)>,
     next_scope: u32,
     /// The examples, proofs and cases.
@@ -102,22 +102,33 @@ struct Reader<'a> {
     table: Table,
 }
 
+/// An open section.
+struct Section {
+    level: u8,
+    /// Its number.
+    scope: u32,
+    /// What its title and those of the sections around it speak of.
+    topics: Topics,
+}
+
 impl Reader<'_> {
     fn item(&mut self, item: &Item) {
         match item {
             Item::Heading { level, span } => {
                 self.end_table();
-                self.sections.retain(|(known, _)| known < level);
+                self.sections.retain(|section| section.level < *level);
                 self.next_scope += 1;
-                self.sections.push((*level, self.next_scope));
                 self.blocks.heading();
                 self.apart = None;
                 self.new_group();
                 let title = &self.document.words(*span);
                 self.begun = true;
-                self.topics = Topics::default();
+                // A section is about what the titles of those around it say.
+                self.topics = self.sections.last().map_or_else(Topics::default, |around| around.topics);
                 self.last.clear();
                 self.speak(title);
+                let topics = self.topics.without_degrees();
+                self.sections.push(Section { level: *level, scope: self.next_scope, topics });
             }
             Item::Words(span) => {
                 let read = self.document.words(*span);
@@ -302,7 +313,7 @@ impl Reader<'_> {
             .iter()
             .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment))
             .filter_map(|(_, scope)| self.blocks.scope_of(*scope));
-        let sections = self.sections.iter().map(|(_, scope)| *scope);
+        let sections = self.sections.iter().map(|section| section.scope);
         let scope: Vec<u32> = sections.chain(enclosing).collect();
         Place {
             group: self.group,

@@ -148,6 +148,11 @@ impl Topics {
         }
     }
 
+    /// The same without the degrees.
+    pub fn without_degrees(self) -> Self {
+        Topics { degrees: 0, ..self }
+    }
+
     /// Of two parts only the one spoken of last counts.
     pub fn keep_side(&mut self, side: Option<Topic>) {
         for other in [Topic::First, Topic::Second] {
