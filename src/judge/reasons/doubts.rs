@@ -26,6 +26,13 @@ pub(in crate::judge) fn of_meaning(
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
         return Some(format!("{name} has no argument here"));
     }
+    // B_n^m f, the operator m times
+    let power = |part: &Expr| {
+        Head::of(part).is_some_and(|head| !head.upper.is_empty() && checker.operators.contains(&head.base))
+    };
+    if left.has(&power) || right.has(&power) {
+        return Some("powers of an operator are not computed".to_owned());
+    }
     let used = tally.record.definitions.iter().map(|(number, _)| &checker.context.definitions[*number].body);
     let columns = used.into_iter().any(|body| matches!(body, Body::Formula(body) if has_column(body)));
     let read = checker.context.letters.has_columns();

@@ -41,6 +41,7 @@ use crate::judge::known::unread::family_told;
 use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, Context, Mark};
 use crate::judge::page::finding::{Finding, Verdict};
+use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::page::topic::{Topic, Topics};
 use crate::judge::repair;
@@ -360,8 +361,20 @@ impl Checker {
             !told_uneven && if theorem.is_about(Topic::Spline) { !uneven } else { one_length }
         };
         let objects = self.context.objects.iter().filter(|told| claim.place.knows(&told.place, false));
-        let spoken = objects.filter_map(|told| told.object.degree.as_ref()?.as_int());
-        let degrees = topics.degrees().chain(spoken).collect();
+        // A curve with the points b_0, …, b_3 is a cubic, and so are Catmull-Rom splines.
+        let last = |points: &[Expr]| match [points.first()?, points.last()?].map(Head::of) {
+            [Some(first), Some(last)] if first.base == last.base && first.index()?.as_int()? == 0 => {
+                last.index()?.as_int().filter(|last| *last > 0)
+            }
+            _ => None,
+        };
+        let spoken = objects.filter_map(|told| match &told.object.degree {
+            Some(degree) => degree.as_int(),
+            None if told.object.sort == Sort::ControlPoints => last(&told.object.names),
+            None => None,
+        });
+        let cubic = topics.has(Topic::CatmullRom).then_some(3);
+        let degrees = topics.degrees().chain(spoken).chain(cubic).collect();
         let said = Said { degrees, intervals: self.intervals_heard(claim.place) };
         let subjects = [Topic::Spline, Topic::Tensor, Topic::Triangle];
         let mut found = Vec::new();

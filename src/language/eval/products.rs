@@ -20,6 +20,23 @@ use crate::language::value::Value;
 use crate::math::poly::Symbol;
 use num_traits::Signed;
 
+/// The index ij as i and j, 10 as 1 and 0.
+fn apart(indices: &[Expr]) -> Vec<Expr> {
+    match indices {
+        [Expr { kind: Kind::Mul(factors), .. }] => factors.clone(),
+        [Expr { kind: Kind::Number(q), span }] if q.is_integer() && q.numer() > &9.into() => {
+            let digits = q.to_string().into_bytes();
+            digits.iter().map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span)).collect()
+        }
+        // 01, 00
+        [Expr { kind: Kind::Name(word), span }] if word.bytes().all(|digit| digit.is_ascii_digit()) => word
+            .bytes()
+            .map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span))
+            .collect(),
+        _ => indices.to_vec(),
+    }
+}
+
 fn is_scalar(value: &Value) -> bool {
     matches!(value, Value::Scalar(_))
 }
@@ -62,9 +79,9 @@ impl Machine {
 
     /// The value of a factor, together with the one after it where the two belong together.
     fn eval_factor(&mut self, factor: &Expr, rest: &mut Peekable<Iter<'_, Expr>>) -> Evaluated {
-        if let Some((order, back)) = self.difference_order(factor)?
+        if let Some((orders, back)) = self.difference_orders(factor)?
             && let Some(next) = rest.peek()
-            && let Some(value) = self.difference(order, back, next)?
+            && let Some(value) = self.difference(&orders, back, next)?
         {
             rest.next();
             return Ok(value);
@@ -195,23 +212,33 @@ impl Machine {
         }
     }
 
-    /// k for an undefined Δ^k or ∇^k, and whether it goes back.
-    fn difference_order(&mut self, factor: &Expr) -> Result<Option<(i64, bool)>, Diagnostic> {
-        let (sign, order) = match &factor.kind {
-            Kind::Pow(base, exponent) => (base.as_ref(), Some(exponent)),
-            _ => (factor, None),
+    /// k for an undefined Δ^k or ∇^k, r and s for Δ^{r,s}, and whether it goes back.
+    fn difference_orders(&mut self, factor: &Expr) -> Result<Option<(Vec<i64>, bool)>, Diagnostic> {
+        let (sign, orders) = match &factor.kind {
+            Kind::Pow(base, exponent) => (base.as_ref(), std::slice::from_ref(exponent.as_ref())),
+            Kind::Upper(base, orders) if orders.len() == 2 => (base.as_ref(), orders.as_slice()),
+            _ => (factor, &[][..]),
         };
         let Kind::Name(name) = &sign.kind else { return Ok(None) };
         let back = name == BACKWARD_DIFFERENCE;
         if !back && name != FORWARD_DIFFERENCE || self.lookup(&Symbol::new(name)).is_some() {
             return Ok(None);
         }
-        let order = order.map_or(Ok(1), |order| self.eval_int(order))?;
-        Ok(Some((order, back)))
+        let orders = match orders {
+            [] => vec![1],
+            orders => orders.iter().map(|order| self.eval_int(order)).collect::<Result<_, _>>()?,
+        };
+        Ok(Some((orders, back)))
     }
 
-    /// The differences Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j} and ∇^k b_i = Δ^k b_{i−k}, in the first index.
-    fn difference(&mut self, order: i64, back: bool, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
+    /// The differences Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j} and ∇^k b_i = Δ^k b_{i−k}, in the first index; Δ^{r,s} b_{i,j}
+    /// is that of order r in i and of order s in j.
+    fn difference(
+        &mut self,
+        orders: &[i64],
+        back: bool,
+        operand: &Expr,
+    ) -> Result<Option<Value>, Diagnostic> {
         if let Kind::Apply(..) = &operand.kind {
             return Err(Diagnostic::error(Code::Unsupported, "differences are taken of indexed names only")
                 .at(operand.span)
@@ -229,26 +256,46 @@ impl Machine {
                 .hint(format!("for the product write the letter behind: x^2 {sign}")));
         }
         let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
-        let (Ok(k), [first, others @ ..]) = (usize::try_from(order), indices.as_slice()) else {
+        let indices = if orders.len() > 1 { apart(indices) } else { indices.clone() };
+        if indices.is_empty() || indices.len() < orders.len() {
             return Ok(None);
+        }
+        self.difference_in(orders, 0, back, (base, &indices), operand.span)
+    }
+
+    /// The same in the indices from one on.
+    fn difference_in(
+        &mut self,
+        orders: &[i64],
+        at: usize,
+        back: bool,
+        (base, indices): (&Expr, &[Expr]),
+        span: Span,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let Some(order) = orders.get(at) else {
+            let member = Kind::Subscript(Box::new(base.clone()), indices.to_vec());
+            return self.eval(&Expr::new(member, span)).map(Some);
         };
+        let Ok(k) = usize::try_from(*order) else { return Ok(None) };
         crate::budget::charge_terms(k as u64);
         let mut sum: Option<Value> = None;
         for (j, count) in crate::math::number::binomial_row(k).into_iter().enumerate() {
             let plus = |expr: Expr| crate::formula::Term { sign: crate::formula::Sign::Plus, expr };
-            let shifted = match j as i64 - if back { k as i64 } else { 0 } {
-                0 => first.clone(),
-                shift => Expr::new(Kind::Add(vec![plus(first.clone()), plus(Expr::int(shift))]), first.span),
+            let mut list = indices.to_vec();
+            let shift = j as i64 - if back { k as i64 } else { 0 };
+            if shift != 0 {
+                let terms = vec![plus(list[at].clone()), plus(Expr::int(shift))];
+                list[at] = Expr::new(Kind::Add(terms), list[at].span);
+            }
+            let Some(value) = self.difference_in(orders, at + 1, back, (base, &list), span)? else {
+                return Ok(None);
             };
-            let mut list = vec![shifted];
-            list.extend_from_slice(others);
-            let value = self.eval(&Expr::new(Kind::Subscript(base.clone(), list), operand.span))?;
             let count = if (k - j).is_multiple_of(2) { count } else { -count };
             let weight = Value::number(crate::math::number::Rational::from_integer(count));
-            let term = arithmetic::multiply(weight, value).at(operand.span)?;
+            let term = arithmetic::multiply(weight, value).at(span)?;
             sum = Some(match sum {
                 None => term,
-                Some(sum) => arithmetic::add(sum, term).at(operand.span)?,
+                Some(sum) => arithmetic::add(sum, term).at(span)?,
             });
         }
         Ok(sum)

@@ -413,7 +413,7 @@ impl Reader<'_> {
 fn is_difference(expr: &Expr) -> bool {
     match &expr.kind {
         Kind::Name(name) => name == "Delta",
-        Kind::Pow(base, _) => is_difference(base),
+        Kind::Pow(base, _) | Kind::Upper(base, _) => is_difference(base),
         _ => false,
     }
 }
