@@ -9,6 +9,7 @@ use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
 use super::cases::{self, parity};
+use super::conditions::announces_condition;
 use super::released::Released;
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
@@ -412,6 +413,10 @@ fn equations(statements: &mut [Statement]) {
     };
     for at in 1..statements.len() {
         let Some(name) = solution(&statements[at]) else { continue };
+        // "x = T M b with M = …" says what M is.
+        if announces_condition(&statements[at].gap) {
+            continue;
+        }
         if let Said::Chain(chain) = &statements[at - 1].said
             && chain.sides.iter().any(|side| bases(&side.expr).contains(&name))
             && solution(&statements[at - 1]).is_none()

@@ -1,9 +1,10 @@
 //! A page checked: statements one after the other, what they define is known to those after them.
 //!
-//! `asked` makes a page of one claim, `declare` takes in declarations, `derivation` reads D as an operator, `implied` knows
+//! `asked` makes a page of one claim, `backwards` looks back at a formula that a new name completes, `declare` takes in declarations, `derivation` reads D as an operator, `implied` knows
 //! what a sentence says beside its formula, and `blame` finds which of several formulas of a sentence is wrong.
 
 pub(crate) mod asked;
+mod backwards;
 mod blame;
 mod declare;
 mod derivation;
@@ -236,6 +237,7 @@ impl Checker {
         self.by_insertion(chain, statement, &mut findings, before);
         self.by_curvature(chain, statement, &mut findings, before);
         self.by_own_values(chain, statement, &mut findings, before);
+        self.by_what_it_completes(chain, statement, &mut findings, before);
         self.as_supposed(chain, statement, &mut findings);
         self.by_equations(chain, statement, &mut findings, before);
         self.as_said_before(chain, statement, &mut findings, before);

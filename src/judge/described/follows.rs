@@ -114,7 +114,7 @@ impl Checker {
             }
             let claim = (plain(&chain.sides[at].expr), plain(&chain.sides[at + 1].expr));
             let limits = self.limits.clone();
-            let found = budget::run(&limits, || self.decided(&claim, statement));
+            let found = budget::run(&limits, || self.decided_by_members(&claim, statement));
             let Ok(Some((consequence, lines))) = found else { continue };
             let from = listed(&lines);
             let finding = &mut findings[at];
@@ -139,6 +139,35 @@ impl Checker {
                 }
             }
         }
+    }
+
+    /// The same of a list of names, (c_0, c_1) = (2, 3): all have to follow, and one that differs is enough.
+    fn decided_by_members(
+        &self,
+        claim: &Sides,
+        statement: &Statement,
+    ) -> Option<(Consequence, BTreeSet<usize>)> {
+        let claims = members(&claim.0, &claim.1);
+        if claims.len() == 1 {
+            return self.decided(claim, statement);
+        }
+        let mut lines = BTreeSet::new();
+        let mut values = Vec::new();
+        let mut differs = false;
+        for one in &claims {
+            let (found, from) = self.decided(one, statement)?;
+            lines.extend(from);
+            values.push(match found {
+                Consequence::Follows => one.1.clone(),
+                Consequence::Differs(value) => {
+                    differs = true;
+                    value
+                }
+            });
+        }
+        let found =
+            if differs { Consequence::Differs(Kind::Tuple(values).into()) } else { Consequence::Follows };
+        Some((found, lines))
     }
 
     /// What other equations say of a claim, and the lines of those that are needed.

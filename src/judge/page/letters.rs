@@ -189,9 +189,12 @@ impl Letters {
                 }
                 self.ratios |= matches!(&base.kind, Kind::Name(name)
                     if matches!(name.as_str(), "h" | "Delta" | "delta" | "u" | "t" | "tau" | "lambda"));
-                self.from_zero |= lower
-                    .iter()
-                    .any(|index| matches!(&index.kind, Kind::Number(q) if num_traits::Zero::is_zero(q)));
+                // b_{00}
+                self.from_zero |= lower.iter().any(|index| match &index.kind {
+                    Kind::Number(q) => num_traits::Zero::is_zero(q),
+                    Kind::Name(word) => word.starts_with('0'),
+                    _ => false,
+                });
                 if let (Kind::Name(letter), [first, second]) = (&base.kind, lower.as_slice())
                     && families::notation(letter, 2, 0).is_some_and(|known| known.family == Family::Bernstein)
                 {
@@ -287,6 +290,11 @@ impl Letters {
     /// Whether the page speaks of polar forms.
     pub fn speaks_of_polar_forms(&self) -> bool {
         self.polar_forms
+    }
+
+    /// The number of the first row of a matrix with named entries: 0, where some index is 0.
+    pub fn first_row(&self) -> i64 {
+        i64::from(!self.from_zero)
     }
 
     /// The number of the first of some knots that are listed without names.

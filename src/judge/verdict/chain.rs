@@ -117,7 +117,7 @@ impl Checker {
         if let Some(found) = self.in_case_of_value(chain, statement) {
             return found;
         }
-        if self.gives_values(chain, statement) {
+        if self.gives_values(chain, statement) || self.gives_entries(chain, place) {
             findings[0].verdict = Verdict::Definition;
             findings[0].reason = Some("says what these names are".to_owned());
             return findings;

@@ -8,7 +8,7 @@ use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::reasons::lint;
 use crate::judge::written::features::missing_argument;
-use crate::judge::written::names::{Head, bases};
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::families;
 use num_traits::Zero;
 
@@ -200,6 +200,35 @@ impl Checker {
         head.arguments.is_none()
             && !matches!(index.kind, Kind::Number(_))
             && self.context.listed(&head.base, place).is_some_and(|(_, last)| index.same_as(&last))
+    }
+
+    /// (z_{ij}) = a matrix: takes in its entries.
+    pub(in crate::judge) fn gives_entries(&mut self, chain: &Chain, place: &Place) -> bool {
+        let ([left, right], [(Rel::Eq | Rel::Define, _)]) =
+            (chain.sides.as_slice(), chain.relations.as_slice())
+        else {
+            return false;
+        };
+        let (Kind::Group(member), Kind::Matrix(rows, _)) = (&left.expr.kind, &right.expr.kind) else {
+            return false;
+        };
+        let letter = |index: &Expr| matches!(&index.kind, Kind::Name(name) if is_index_letter(name));
+        let Some(head) = Head::of(member).filter(|head| {
+            head.lower.len() == 2 && head.arguments.is_none() && head.lower.iter().all(letter)
+        }) else {
+            return false;
+        };
+        let first = self.context.letters.first_row();
+        for (i, row) in (first..).zip(rows) {
+            for (j, entry) in (first..).zip(row) {
+                if let Some(entry) = entry {
+                    let lower = vec![Expr::int(i), Expr::int(j)];
+                    let body = Body::Formula(entry.clone());
+                    self.define(Head { lower, ..head.clone() }, body, &[], place, entry.span);
+                }
+            }
+        }
+        true
     }
 
     /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.

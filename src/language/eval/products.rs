@@ -29,10 +29,9 @@ fn apart(indices: &[Expr]) -> Vec<Expr> {
             digits.iter().map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span)).collect()
         }
         // 01, 00
-        [Expr { kind: Kind::Name(word), span }] if word.bytes().all(|digit| digit.is_ascii_digit()) => word
-            .bytes()
-            .map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span))
-            .collect(),
+        [Expr { kind: Kind::Name(word), span }] if word.bytes().all(|digit| digit.is_ascii_digit()) => {
+            word.bytes().map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span)).collect()
+        }
         _ => indices.to_vec(),
     }
 }
