@@ -276,7 +276,8 @@ impl Reader<'_> {
                 }
                 Request::Formula(spans, labels) => {
                     let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
-                    let form = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "laws");
+                    let of_form = |draft: &Draft| matches!(draft.builtin.name, "laws" | "diagonal");
+                    let form = asked.drafts.last().is_some_and(of_form);
                     for span in spans {
                         // u v is a product here, no list.
                         if form {
@@ -333,7 +334,8 @@ impl Reader<'_> {
                         None => return Ok(None),
                     },
                 };
-                asked.hear(label, items);
+                let polar = asked.drafts.iter().any(|draft| draft.builtin.name.starts_with("polar"));
+                asked.hear(label, lists::assigned(items, polar));
             }
         }
         // the left half of 0, 2, 6

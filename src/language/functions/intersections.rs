@@ -87,6 +87,25 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "cusps",
+        parameters: &[PLANE_CURVE, POINTS],
+        summary: "the real parameters at which a plane curve has a cusp: two parameters of one point that coincide",
+        gives: Gives::Any,
+        example: "cusps([t^2, t^3])",
+        call: |machine, args| {
+            let curve = plane_curve(args, 0)?;
+            let found = curve.double_points().map_err(|error| twice(error, args))?;
+            let cusps = found.into_iter().filter(|pair| pair.parameters[0] == pair.parameters[1]);
+            let rows: Vec<_> = cusps.map(|pair| (vec![pair.parameters[0].clone()], pair.degree)).collect();
+            if rows.is_empty() {
+                let note = "no real parameter gives a cusp";
+                machine.note(Diagnostic::note(Code::NotReal, note).at(args.span(0)));
+            }
+            table(machine, args, ["t"].as_slice(), &|t| curve.point(t).to_vec(), rows)
+        },
+        ..NEW
+    },
+    Builtin {
         name: "inversion",
         parameters: &[PLANE_CURVE, optional("p", Takes::Point, "the point (x, y)", "a point of the curve")],
         summary: "the parameters of a point of a plane curve; without a point the formula in x and y",

@@ -37,14 +37,13 @@ impl Reader<'_> {
             _ => (item.clone(), None),
         };
         let letters = named.unwrap_or_else(|| lists::letters(&form, &Expr::int(0)));
-        let names: Option<Vec<&str>> = letters
-            .iter()
-            .map(|letter| match &letter.kind {
-                Kind::Name(name) => Some(name.as_str()),
-                _ => None,
-            })
-            .collect();
-        let Some(names) = names.filter(|names| names.len() > 1) else { return Ok(None) };
+        let letter = |letter: &Expr| match &letter.kind {
+            Kind::Subscript(base, _) => matches!(base.kind, Kind::Name(_)),
+            kind => matches!(kind, Kind::Name(_)),
+        };
+        if letters.len() < 2 || !letters.iter().all(letter) {
+            return Ok(None);
+        }
         if let Some(law) = self.broken_law(&form, &letters) {
             let problem = Diagnostic::error(Code::Usage, format!("this is no polar form: it is not {law}"))
                 .at(item.span)
@@ -52,9 +51,10 @@ impl Reader<'_> {
                 .hint("laws(expression, [u, v], F) tells which law fails, and why");
             return Err(self.fail(problem));
         }
-        let letter = if names.contains(&"t") && names.len() > 2 { "x" } else { "t" };
+        let named_t = letters.iter().any(|own| matches!(&own.kind, Kind::Name(name) if name == "t"));
+        let letter = if named_t && letters.len() > 2 { "x" } else { "t" };
         let variable = Expr { span: form.span, ..Expr::name(letter) };
-        Ok(Some(names.iter().fold(form, |form, name| form.with_name(name, &variable))))
+        Ok(Some(letters.iter().fold(form, |form, own| put(form, own, &variable))))
     }
 
     /// Which law of polar forms a formula in some letters does not fulfil.
@@ -73,13 +73,10 @@ impl Reader<'_> {
                 return Some("affine in each argument");
             }
         }
-        let names: Vec<String> = letters.iter().flat_map(bases).collect();
-        for pair in names.windows(2) {
+        for pair in letters.windows(2) {
             let between = Expr::name("zeta");
-            let swapped = form
-                .with_name(&pair[0], &between)
-                .with_name(&pair[1], &Expr::name(&pair[0]))
-                .with_name("zeta", &Expr::name(&pair[1]));
+            let first = put(form.clone(), &pair[0], &between);
+            let swapped = put(put(first, &pair[1], &pair[0]), &between, &pair[1]);
             if value(swapped).is_some_and(|swapped| swapped != own) {
                 return Some("symmetric");
             }
@@ -177,4 +174,13 @@ impl Reader<'_> {
             *formula = Expr { span, ..Expr::product(names.collect()) }.grouped();
         }
     }
+}
+
+/// Puts something in the place of a letter, which may have an index.
+fn put(mut formula: Expr, letter: &Expr, value: &Expr) -> Expr {
+    if formula.same_as(letter) {
+        return value.clone();
+    }
+    formula.for_each_child_mut(&mut |child| *child = put(child.clone(), letter, value));
+    formula
 }

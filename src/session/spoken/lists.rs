@@ -266,3 +266,26 @@ fn gather_letters(formula: &Expr, found: &mut Vec<Expr>) {
         _ => formula.for_each_child(&mut |child| gather_letters(child, found)),
     }
 }
+
+/// (x, y) = (2, 1) as x = 2 and y = 1; of a polar form only the values, whatever its arguments are called.
+pub(super) fn assigned(items: Vec<Expr>, polar: bool) -> Vec<Expr> {
+    let one = |item: Expr| {
+        let Kind::Chain(left, links) = &item.kind else { return vec![item] };
+        let ([link], Some(names)) = (links.as_slice(), left.items()) else { return vec![item] };
+        let Some(values) = link.expr.items().filter(|values| values.len() == names.len()) else {
+            return vec![item];
+        };
+        let letter = |name: &Expr| matches!(name.kind, Kind::Name(_) | Kind::Subscript(..));
+        if link.rel != Rel::Eq || !names.iter().all(letter) {
+            return vec![item];
+        }
+        match polar {
+            true => values.to_vec(),
+            false => {
+                let pairs = names.iter().zip(values);
+                pairs.map(|(name, value)| Expr::relation(name.clone(), Rel::Eq, value.clone())).collect()
+            }
+        }
+    };
+    items.into_iter().flat_map(one).collect()
+}

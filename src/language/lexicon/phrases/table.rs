@@ -276,7 +276,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("diagonal"),
-        "polynomial whose | polynom dessen | polynôme dont la | polynôme dont | \
+        "polynomial whose | polynomial with the blossom | polynomial with blossom | polynomial with the polar form | \
+         polynomial with polar form | polynom mit der polarform | polynom mit polarform | polynom dessen | polynôme dont la | polynôme dont | \
          polinomio cuya | polinomio la cui",
     ),
     (Function("conic_kind"), "type of the conic"),

@@ -28,6 +28,7 @@ pub(super) fn told(text: &str, parts: Vec<Part>, known: &dyn Fn(&str) -> bool) -
                         | "inflections"
                         | "intersections"
                         | "double_points"
+                        | "cusps"
                         | "cross"
                 ) | Phrase::Command("maximum" | "minimum" | "max" | "min" | "intersections")
                     | Phrase::Vanishes,

@@ -73,7 +73,7 @@ impl Reader<'_> {
             matches!(
                 part,
                 Part::Phrase(
-                    Phrase::Function("roots" | "double_points" | "inflections" | "intersections"),
+                    Phrase::Function("roots" | "double_points" | "cusps" | "inflections" | "intersections"),
                     _
                 )
             )
