@@ -157,8 +157,15 @@ fn give_intervals(statements: &mut [Statement]) {
     let ends = |gap: &str| gap.contains(['。', ';', '；']) || gap.contains(". ") || gap.contains(".\n");
     for at in 0..statements.len() {
         let own = &statements[at];
-        let Said::Bare(Side { expr, .. }, _) = &own.said else { continue };
-        let last = own.gap.rsplit(['.', '。']).next().unwrap_or_default();
+        let expr = match &own.said {
+            Said::Bare(Side { expr, .. }, _) => expr,
+            // On [1, 2) = [t_3, t_4)
+            Said::Chain(chain) if chain.sides.iter().all(|side| interval(&side.expr).is_some()) => {
+                &chain.sides[0].expr
+            }
+            _ => continue,
+        };
+        let last = without_mark(own.gap.rsplit(['.', '。']).next().unwrap_or_default());
         let Some(joined) = speech::says_on(last).filter(|_| interval(expr).is_some()) else { continue };
         let opens =
             joined || last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
@@ -191,6 +198,15 @@ fn give_intervals(statements: &mut [Statement]) {
                 _ => {}
             }
         }
+    }
+}
+
+/// Words without the mark of a part before them: "(a) On".
+fn without_mark(words: &str) -> &str {
+    let words = words.trim_start_matches(['*', '_', ' ', '\n']);
+    match words.strip_prefix('(').and_then(|rest| rest.split_once(')')) {
+        Some((mark, rest)) if mark.chars().count() < 4 => rest,
+        _ => words,
     }
 }
 

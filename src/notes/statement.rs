@@ -127,7 +127,7 @@ impl Reader<'_> {
                 self.topics = self.sections.last().map_or_else(Topics::default, |around| around.topics);
                 self.last.clear();
                 self.speak(title);
-                let topics = self.topics.without_degrees();
+                let topics = self.topics.of_title();
                 self.sections.push(Section { level: *level, scope: self.next_scope, topics });
             }
             Item::Words(span) => {

@@ -207,6 +207,13 @@ impl Reader<'_> {
         }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
         self.find_subject(&mut asked);
+        // The power form of a spline is that of its pieces.
+        if let [Draft { builtin: spline, .. }, outer] = asked.drafts.as_mut_slice()
+            && (spline.name, outer.builtin.name) == ("bspline", "expand")
+            && let Some(pieces) = builtin("power_pieces")
+        {
+            outer.builtin = pieces;
+        }
         // The antiderivative of a curve is a curve.
         if let [Draft { builtin: curve, .. }, outer] = asked.drafts.as_mut_slice()
             && (curve.name, outer.builtin.name) == ("bezier", "integrate")

@@ -20,7 +20,7 @@ impl Checker {
         {
             self.marked.insert(letter.to_owned());
         }
-        if self.marked.is_empty() {
+        if self.marked.is_empty() && !self.context.letters.has_signed() {
             return None;
         }
         let mut changed = chain.clone();
@@ -32,6 +32,14 @@ impl Checker {
         if let Some(letter) = marked(expr).filter(|letter| self.marked.contains(*letter)) {
             expr.kind = Kind::Name(format!("{letter}'"));
         }
+        // κ_+ beside κ_-
+        if let Some(name) = positive_part(expr)
+            && let Kind::Name(letter) = &name.kind
+            && self.context.letters.is_signed(letter)
+        {
+            expr.kind = Kind::Subscript(Box::new(name.clone()), vec![Expr::name("plus")]);
+            return;
+        }
         expr.for_each_child_mut(&mut |child| self.rename(child));
     }
 }
@@ -41,6 +49,18 @@ fn marked(expr: &Expr) -> Option<&str> {
     match &expr.kind {
         Kind::Prime(inner, 1) => match &inner.kind {
             Kind::Name(letter) => Some(letter),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// x of x_+, as it is read: x where x is not negative, else 0.
+fn positive_part(expr: &Expr) -> Option<&Expr> {
+    let Kind::Cases(cases) = &expr.kind else { return None };
+    match cases.as_slice() {
+        [(value, Some(condition)), (other, _)] if other.as_int() == Some(0) => match &condition.kind {
+            Kind::Chain(left, _) if left.same_as(value) => Some(value),
             _ => None,
         },
         _ => None,

@@ -109,7 +109,11 @@ impl Checker {
                 let chain = operated.as_ref().unwrap_or(chain);
                 let renamed = self.with_marked_names(chain, &statement.place);
                 let chain = renamed.as_ref().unwrap_or(chain);
-                let listed = with_members_listed(chain);
+                let general = |base: &str| {
+                    let mut known = self.context.visible(base, &statement.place);
+                    known.any(|(_, own, _)| own.head.lower.iter().any(|index| !bases(index).is_empty()))
+                };
+                let listed = with_members_listed(chain, &general);
                 let chain = listed.as_ref().unwrap_or(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;

@@ -29,7 +29,9 @@ impl Checker {
         let mut changed = chain.clone();
         changed.sides.iter_mut().for_each(|side| rewrite(&mut side.expr, &known));
         // B_n e_1 = x: equal as functions of x
-        let variable = changed.sides.iter().flat_map(|side| bases(&side.expr)).find(|name| is_variable(name));
+        let other = |name: &String| known(name) || self.context.letters.is_function(name);
+        let mut names = changed.sides.iter().flat_map(|side| bases(&side.expr));
+        let variable = names.find(|name| is_variable(name) && !other(name));
         let variable = Expr::name(variable.unwrap_or_else(|| "x".to_owned()));
         let is_function = |part: &Expr| {
             Head::of(part).is_some_and(|head| {

@@ -267,7 +267,9 @@ impl Checker {
                 || self.context.conditions.iter().any(|own| is_only_about(&own.expr, released))
                 || self.context.heard.iter().any(|(_, own)| is_only_about(own, released))
         };
-        if released.is_empty() || !findings.iter().any(holds) || !given() {
+        let refuted = |finding: &Finding| finding.verdict == Verdict::Refuted;
+        let decided = |finding: &Finding| holds(finding) || refuted(finding);
+        if released.is_empty() || !findings.iter().any(decided) || !given() {
             return;
         }
         let mut known = self.context.clone();
@@ -284,6 +286,12 @@ impl Checker {
                 finding.verdict = Verdict::Undecided;
                 finding.reason = Some("it holds in an example before: is it said of any other?".to_owned());
                 finding.instances = None;
+            }
+        }
+        // What is wrong in an example only is not wrong of others.
+        for (at, finding) in findings.iter_mut().enumerate().filter(|(_, finding)| refuted(finding)) {
+            if let Some(found) = found.get(at).filter(|found| !refuted(found)) {
+                *finding = found.clone();
             }
         }
     }

@@ -60,7 +60,11 @@ impl Checker {
                 Verdict::Proved | Verdict::Sampled => true,
                 _ if statement.denied => false,
                 Verdict::Definition => true,
-                Verdict::Undecided => finding.reason.as_deref() == Some(MEANINGLESS),
+                // Points whose names have no meaning cannot be added.
+                Verdict::Undecided => finding
+                    .reason
+                    .as_deref()
+                    .is_some_and(|reason| reason == MEANINGLESS || reason.ends_with("cannot be added")),
                 _ => false,
             };
             if matches!(chain.relations[at].0, Rel::Eq | Rel::Define) {
@@ -107,17 +111,21 @@ impl Checker {
         {
             return;
         }
-        for at in 0..findings.len() {
-            let open = matches!(findings[at].verdict, Verdict::Definition | Verdict::Undecided);
+        for (at, finding) in findings.iter_mut().enumerate() {
+            let open = matches!(finding.verdict, Verdict::Definition | Verdict::Undecided);
             if !open || !matches!(chain.relations[at].0, Rel::Eq) {
                 continue;
             }
             let claim = (plain(&chain.sides[at].expr), plain(&chain.sides[at + 1].expr));
+            // F(t) = … is a formula, no value.
+            let formula = |head: &Head| head.flat().iter().any(|own| matches!(own.kind, Kind::Name(_)));
+            if Head::of(&claim.0).is_some_and(|head| formula(&head)) {
+                continue;
+            }
             let limits = self.limits.clone();
             let found = budget::run(&limits, || self.decided_by_members(&claim, statement));
             let Ok(Some((consequence, lines))) = found else { continue };
             let from = listed(&lines);
-            let finding = &mut findings[at];
             match consequence {
                 Consequence::Follows => {
                     finding.verdict = Verdict::Proved;
@@ -271,10 +279,10 @@ impl Checker {
             });
         let differs = matches!(found, Consequence::Differs(_));
         // b_1 = b_2 may be what is asked of them.
-        if differs && number(&claim.1).is_none() && is_one(&claim.1) {
+        if differs && (number(&claim.1).is_none() && is_one(&claim.1) || !is_one(&claim.0)) {
             return None;
         }
-        (!said_before && !(unsure && differs)).then_some((found, lines))
+        (!(said_before || unsure && differs)).then_some((found, lines))
     }
 
     /// The letters of polar forms among the functions with several arguments.
@@ -361,8 +369,9 @@ fn free(left: &Expr) -> Vec<Expr> {
         Kind::Subscript(base, _) => matches!(&base.kind, Kind::Name(name) if is_variable(name)),
         _ => false,
     };
+    // Of a function of one variable the formula may hold for a part only.
     let arguments = head.flat();
-    if !arguments.is_empty() && arguments.iter().all(|argument| variable(&argument)) {
+    if arguments.len() > 1 && arguments.iter().all(|argument| variable(&argument)) {
         found.extend(arguments.into_iter().cloned());
     }
     found

@@ -50,6 +50,8 @@ pub struct Letters {
     columns: bool,
     /// Letters of curves and points that are written bold.
     bold: BTreeSet<String>,
+    /// Letters with a minus as an index: beside κ_- there is a κ_+, which is no positive part.
+    signed: BTreeSet<String>,
 }
 
 /// Whether a member of a family with the notation of Bernstein polynomials stands in a formula.
@@ -184,6 +186,12 @@ impl Letters {
                 }
             }
             Kind::Subscript(base, lower) => {
+                if let (Kind::Name(letter), [Expr { kind: Kind::Name(sign), .. }]) =
+                    (&base.kind, lower.as_slice())
+                    && sign == "minus"
+                {
+                    self.signed.insert(letter.clone());
+                }
                 if let Some(head) = Head::of(base) {
                     *self.members.entry(head.base).or_default() += 1;
                 }
@@ -275,6 +283,16 @@ impl Letters {
             [false, true] => Some(false),
             _ => None,
         }
+    }
+
+    /// Whether a letter has signs as its indices.
+    pub fn is_signed(&self, letter: &str) -> bool {
+        self.signed.contains(letter)
+    }
+
+    /// Whether some letter has signs as its indices.
+    pub fn has_signed(&self) -> bool {
+        !self.signed.is_empty()
     }
 
     /// Whether the page speaks of no intervals of different lengths.

@@ -4,8 +4,9 @@ use crate::formula::{Expr, Kind};
 use crate::judge::page::statement::Chain;
 use crate::judge::written::names::Head;
 
-/// The chain with lists of members written out, where another side has as many items.
-pub(in crate::judge) fn with_members_listed(chain: &Chain) -> Option<Chain> {
+/// The chain with lists of members written out, where another side has as many items; `is_known` tells whether the page has a
+/// formula for the members of a family: else the list says what they are.
+pub(in crate::judge) fn with_members_listed(chain: &Chain, is_known: &dyn Fn(&str) -> bool) -> Option<Chain> {
     let dotted = |expr: &Expr| match expr.items() {
         Some([first, Expr { kind: Kind::Ellipsis, .. }, last]) => Some((first.clone(), last.clone())),
         _ => None,
@@ -21,7 +22,11 @@ pub(in crate::judge) fn with_members_listed(chain: &Chain) -> Option<Chain> {
         })
     };
     let alike = one.base == other.base && one.arguments.is_none() && one.upper.is_empty();
-    if !alike || !other.upper.is_empty() || !chain.sides.iter().any(|side| fits(&side.expr)) {
+    if !alike
+        || !is_known(&one.base)
+        || !other.upper.is_empty()
+        || !chain.sides.iter().any(|side| fits(&side.expr))
+    {
         return None;
     }
     let member = |index: i64| {

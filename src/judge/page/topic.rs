@@ -148,9 +148,22 @@ impl Topics {
         }
     }
 
-    /// The same without the degrees.
-    pub fn without_degrees(self) -> Self {
-        Topics { degrees: 0, ..self }
+    /// What a title says of all that stands under it: no degrees, and nothing that excludes something else, since a title
+    /// may name several things.
+    pub fn of_title(self) -> Self {
+        const SUBJECTS: [Topic; 9] = [
+            Topic::Spline,
+            Topic::Tensor,
+            Topic::Triangle,
+            Topic::Rational,
+            Topic::Uniform,
+            Topic::Uneven,
+            Topic::First,
+            Topic::Second,
+            Topic::Half,
+        ];
+        let subjects = SUBJECTS.into_iter().fold(0, |all, own| all | 1u64 << own as u32);
+        Topics { degrees: 0, topics: self.topics & !subjects }
     }
 
     /// Of two parts only the one spoken of last counts.

@@ -28,7 +28,12 @@ pub(in crate::judge) fn of_meaning(
     }
     // B_n^m f, the operator m times
     let power = |part: &Expr| {
-        Head::of(part).is_some_and(|head| !head.upper.is_empty() && checker.operators.contains(&head.base))
+        let Kind::Mul(factors) = &part.kind else { return false };
+        let [first, second, ..] = factors.as_slice() else { return false };
+        let function =
+            |head: &Head| head.arguments.is_none() && checker.context.letters.is_function(&head.base);
+        Head::of(first).is_some_and(|head| !head.upper.is_empty() && checker.operators.contains(&head.base))
+            && Head::of(second).is_some_and(|head| function(&head))
     };
     if left.has(&power) || right.has(&power) {
         return Some("powers of an operator are not computed".to_owned());

@@ -137,7 +137,10 @@ fn index_of_its_own(head: &Head, body: &Expr) -> Option<String> {
     let Kind::Big { lower, body: inner, .. } = &body.kind else { return None };
     let own = own_names(lower).first().cloned().or_else(|| implied_index(inner))?;
     let left = head.lower.iter().any(|index| matches!(&index.kind, Kind::Name(name) if *name == own));
-    left.then(|| format!("the right side does not depend on the index {own} of {}", head.base))
+    // In Σ_{1 ≤ i_1 < … < i_k ≤ n} k says how many there are.
+    let runs = |expr: &Expr| stands_alone(expr, &own);
+    (left && (lower.is_empty() || lower.iter().any(runs)))
+        .then(|| format!("the right side does not depend on the index {own} of {}", head.base))
 }
 
 /// Coefficients that an equation defines: symbols of one letter that were not met before, found by
@@ -217,4 +220,17 @@ fn solved_for(new: Vec<Symbol>, left: &Value, right: &Value) -> Option<Vec<(Symb
     let constants = DMatrix::from_row_iterator(new.len(), 1, constants);
     let solution = linalg::solve(&matrix, &constants).ok()?;
     Some(new.into_iter().zip(solution.iter().cloned()).collect())
+}
+
+/// Whether a name stands in a formula, and not as an index only.
+fn stands_alone(expr: &Expr, name: &str) -> bool {
+    match &expr.kind {
+        Kind::Name(own) => own == name,
+        Kind::Subscript(base, _) => stands_alone(base, name),
+        _ => {
+            let mut found = false;
+            expr.for_each_child(&mut |child| found |= stands_alone(child, name));
+            found
+        }
+    }
 }

@@ -76,7 +76,14 @@ impl Checker {
 
     /// "With the weights (1, 1, 2) we find W(t) = …", where nothing else says what the w_i are.
     fn listed_beside(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
-        if place.spare == 0 {
+        let told: Vec<&Expr> = self
+            .context
+            .heard
+            .iter()
+            .filter(|(other, _)| place.spare > 0 && other.formula == place.spare)
+            .map(|(_, expr)| &**expr)
+            .collect();
+        if told.len() < 2 && !told.iter().any(|list| list.items().is_some_and(|items| items.len() > 1)) {
             return None;
         }
         let reached = self.context.reached(&sides, place);

@@ -369,9 +369,10 @@ impl Checker {
             }
             _ => None,
         };
+        let unsaid = topics.degrees().next().is_none();
         let spoken = objects.filter_map(|told| match &told.object.degree {
             Some(degree) => degree.as_int(),
-            None if told.object.sort == Sort::ControlPoints => last(&told.object.names),
+            None if told.object.sort == Sort::ControlPoints && unsaid => last(&told.object.names),
             None => None,
         });
         let cubic = topics.has(Topic::CatmullRom).then_some(3);

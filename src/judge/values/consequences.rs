@@ -302,7 +302,9 @@ fn decide(known: &[Row], claimed: &Row, left: Option<&str>, terms: &Terms) -> Op
             }
         }
     }
-    // The term on the left by the other terms of the claim.
+    // The term on the left by the other terms of the claim; one that is new there may be anything.
+    let old = |powers: &&Powers| known.iter().flatten().any(|(other, _)| other == *powers);
+    let left = left.filter(|_| columns[first..].iter().all(old));
     let left = left.filter(|_| columns.get(first).is_some_and(|powers| is_left(powers))).and_then(|_| {
         let row = pivots.iter().position(|&pivot| pivot == first)?;
         let mut sum = Vec::new();

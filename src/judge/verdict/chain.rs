@@ -147,6 +147,8 @@ impl Checker {
             // D = d/dt is the operator.
             .filter(|_| !matches!(chain.sides[1].expr.kind, Kind::Derivative { body: None, .. }))
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
+            // S_{uv} is known where S(u, v) is.
+            .filter(|head| self.context.variables_of_partial(head, place).is_none())
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {
                 let right = &chain.sides[1].expr;

@@ -77,6 +77,7 @@ impl Checker {
             self.apply_families(&mut formula, variable, place);
             formula = self.with_parameter(formula, name, place);
         }
+        let head = &with_its_variables(head, &formula);
         self.define_by(
             source,
             head.clone(),
@@ -246,8 +247,10 @@ impl Checker {
             // t_j = j elsewhere, and other knots in an example
             Kind::Subscript(..) => Head::of(name).is_some_and(|head| {
                 let anew = statement.role == Some(Role::Introduced);
-                let mut known = self.context.visible(&head.base, place).filter(|(_, _, near)| *near);
+                let mut known =
+                    self.context.visible(&head.base, place).filter(|(_, _, near)| *near).peekable();
                 head.index().is_some_and(|index| index.as_int().is_some())
+                    && known.peek().is_some()
                     && known.all(|(_, own, _)| {
                         own.place.blocks.len() < place.blocks.len() && (anew || own.is_datum())
                     })
@@ -278,4 +281,17 @@ fn relates_its_own_values(head: &Head, body: &Expr) -> bool {
             })
     };
     head.arguments.is_some() && body.has(&itself)
+}
+
+/// S_{uv} = … in u and v is S_{uv}(u, v).
+fn with_its_variables(head: &Head, body: &Expr) -> Head {
+    let letters: Vec<String> = head.lower.iter().flat_map(bases).collect();
+    let used: Vec<String> = bases(body).into_iter().filter(|name| is_variable(name)).collect();
+    let partial = head.arguments.is_none()
+        && head.upper.is_empty()
+        && !letters.is_empty()
+        && used.len() > 1
+        && letters.iter().all(|letter| used.contains(letter));
+    let arguments = partial.then(|| vec![used.into_iter().map(Expr::name).collect()]);
+    Head { arguments: arguments.or(head.arguments.clone()), ..head.clone() }
 }

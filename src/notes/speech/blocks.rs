@@ -222,8 +222,9 @@ pub fn block(words: &str) -> Option<Block> {
             }
         }
     }
-    if let Some(block) = super::tongue::block(&low).filter(|_| marked || capital && closed) {
-        return Some(block);
+    let foreign = FOREIGN.iter().find(|(name, _)| *name == low);
+    if let Some((_, block)) = foreign.filter(|_| marked || capital && closed) {
+        return Some(*block);
     }
     // "**Worked example.**", "*Numerisches Beispiel:*"
     let titled = ["**", "__", "*", "_"].into_iter().find_map(|mark| run_in_title(words, mark));
@@ -239,6 +240,26 @@ pub fn block(words: &str) -> Option<Block> {
     }
     is_run_in_heading(words).then_some(Block::Open)
 }
+
+/// Labels of paragraphs in Spanish, Italian and Portuguese.
+const FOREIGN: &[(&str, Block)] = &[
+    ("ejemplo", Block::Closed),
+    ("ejercicio", Block::Closed),
+    ("solución", Block::Proof),
+    ("demostración", Block::Proof),
+    ("teorema", Block::Open),
+    ("definición", Block::Definition),
+    ("esempio", Block::Closed),
+    ("esercizio", Block::Closed),
+    ("soluzione", Block::Proof),
+    ("dimostrazione", Block::Proof),
+    ("definizione", Block::Definition),
+    ("exemplo", Block::Closed),
+    ("exercício", Block::Closed),
+    ("solução", Block::Proof),
+    ("demonstração", Block::Proof),
+    ("definição", Block::Definition),
+];
 
 /// So many words are a label.
 const LONGEST_LABEL: usize = 4;

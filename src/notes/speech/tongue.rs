@@ -1,7 +1,5 @@
 //! Whether the words of a page are in a language that is understood here.
 
-use super::blocks::Block;
-
 /// Small words that most sentences of English, German and French have, and those of Spanish, Italian or Portuguese lack.
 const SMALL: &[&str] = &[
     "the", "of", "and", "is", "are", "we", "that", "this", "with", "for", "by", "be", "which", "it", "on",
@@ -44,31 +42,6 @@ pub(super) const CHANGED: &[&str] = &[
     "segundo exemplo",
     "desta vez",
 ];
-
-/// Labels of paragraphs in these languages.
-const BLOCKS: &[(&str, Block)] = &[
-    ("ejemplo", Block::Closed),
-    ("ejercicio", Block::Closed),
-    ("solución", Block::Proof),
-    ("demostración", Block::Proof),
-    ("teorema", Block::Open),
-    ("definición", Block::Definition),
-    ("esempio", Block::Closed),
-    ("esercizio", Block::Closed),
-    ("soluzione", Block::Proof),
-    ("dimostrazione", Block::Proof),
-    ("definizione", Block::Definition),
-    ("exemplo", Block::Closed),
-    ("exercício", Block::Closed),
-    ("solução", Block::Proof),
-    ("demonstração", Block::Proof),
-    ("definição", Block::Definition),
-];
-
-/// What a paragraph is that bears a label in one of these languages.
-pub(super) fn block(label: &str) -> Option<Block> {
-    BLOCKS.iter().find(|(name, _)| *name == label).map(|(_, block)| *block)
-}
 
 /// Fewer words show nothing.
 const LEAST: usize = 12;
