@@ -139,6 +139,16 @@ impl Expr {
         self
     }
 
+    /// The formula with others in the places of some of its parts, all at once.
+    pub fn with_parts(&self, by: &[(Expr, Expr)]) -> Expr {
+        if let Some((_, other)) = by.iter().find(|(part, _)| part.same_as(self)) {
+            return other.clone();
+        }
+        let mut found = self.clone();
+        found.for_each_child_mut(&mut |child| *child = child.with_parts(by));
+        found
+    }
+
     /// Whether both trees have the same structure, wherever they were read.
     pub fn same_as(&self, other: &Expr) -> bool {
         self.clone().without_spans() == other.clone().without_spans()

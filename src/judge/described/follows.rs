@@ -417,7 +417,14 @@ fn instance((left, right): &Sides, ranges: &[Expr], term: &Expr) -> Option<Sides
             return None;
         }
     }
-    let instance = |expr: &Expr| plain(&replaced(expr, &by));
+    let by: Vec<(Expr, Expr)> = by
+        .into_iter()
+        .map(|(name, value)| match value.kind {
+            Kind::Number(_) => (name, value.grouped()),
+            _ => (name, value),
+        })
+        .collect();
+    let instance = |expr: &Expr| plain(&expr.with_parts(&by));
     let sides = (instance(left), instance(right));
     let holds = ranges.iter().all(|range| holds(&instance(range)) == Some(true));
     (holds && !by.is_empty() && sides.0 == *term && !sides.1.has(&|part| part.kind == Kind::Ellipsis))
@@ -433,19 +440,6 @@ fn solved(index: &Expr, letter: &str, value: &Rational) -> Option<Rational> {
         return None;
     }
     Some((value - zero) / slope).filter(Rational::is_integer)
-}
-
-/// Puts formulas for names and for letters with indices.
-fn replaced(expr: &Expr, by: &[(Expr, Expr)]) -> Expr {
-    if let Some((_, value)) = by.iter().find(|(known, _)| known == expr) {
-        return match value.kind {
-            Kind::Number(_) => value.clone().grouped(),
-            _ => value.clone(),
-        };
-    }
-    let mut found = expr.clone();
-    found.for_each_child_mut(&mut |child| *child = replaced(child, by));
-    found
 }
 
 /// Whether a range without names holds; nothing if it cannot be told.

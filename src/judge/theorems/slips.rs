@@ -58,10 +58,7 @@ pub(super) fn exchanges(expr: &Expr, may_be: &dyn Fn(&Expr, &Expr) -> bool, slip
 }
 
 fn replace(expr: &mut Expr, old: &Expr, new: &Expr) {
-    match expr.same_as(old) {
-        true => *expr = new.clone().grouped(),
-        false => expr.for_each_child_mut(&mut |child| replace(child, old, new)),
-    }
+    *expr = expr.with_parts(&[(old.clone(), new.clone().grouped())]);
 }
 
 /// A formula in which a row of a matrix has the other sign, or two of its rows or columns are exchanged, or rows and

@@ -352,6 +352,8 @@ impl Checker {
             let other =
                 declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1)));
             match declared.object.sort {
+                // "the order k, so the degree is k - 1"
+                Sort::Degree if other => said = said.or(Some(true)),
                 _ if other => less = true,
                 Sort::Order => said = said.or(Some(true)),
                 Sort::Degree => said = said.or(Some(false)),

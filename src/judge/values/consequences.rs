@@ -206,7 +206,7 @@ impl Terms {
 const FIRST: u32 = 0xe000;
 
 /// A letter that no page uses.
-fn private(number: usize) -> String {
+pub fn private(number: usize) -> String {
     char::from_u32(FIRST + number as u32).map_or_else(String::new, String::from)
 }
 

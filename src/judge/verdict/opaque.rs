@@ -8,6 +8,7 @@ use crate::judge::instances::setting::Setting;
 use crate::judge::known::checker::Checker;
 use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::statement::{Chain, Statement};
+use crate::judge::values::consequences::private;
 use crate::judge::verdict::relation::Judged;
 use crate::judge::written::names::{bases, is_index_letter, walk};
 use crate::language::lexicon::words;
@@ -115,11 +116,6 @@ fn named(value: &Expr, values: &mut Vec<Expr>) -> Expr {
         values.len() - 1
     });
     Expr::new(Kind::Name(private(at)), value.span)
-}
-
-/// A letter that no page uses.
-fn private(number: usize) -> String {
-    char::from_u32(0xe000 + number as u32).map_or_else(String::new, String::from)
 }
 
 fn square_root(expr: &Expr) -> Option<&Expr> {

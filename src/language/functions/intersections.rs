@@ -89,7 +89,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cusps",
         parameters: &[PLANE_CURVE, POINTS],
-        summary: "the real parameters at which a plane curve has a cusp: two parameters of one point that coincide",
+        summary: "the real parameters at which a plane curve has a cusp, with its points",
         gives: Gives::Any,
         example: "cusps([t^2, t^3])",
         call: |machine, args| {

@@ -54,7 +54,8 @@ impl Reader<'_> {
         let named_t = letters.iter().any(|own| matches!(&own.kind, Kind::Name(name) if name == "t"));
         let letter = if named_t && letters.len() > 2 { "x" } else { "t" };
         let variable = Expr { span: form.span, ..Expr::name(letter) };
-        Ok(Some(letters.iter().fold(form, |form, own| put(form, own, &variable))))
+        let by: Vec<(Expr, Expr)> = letters.into_iter().map(|own| (own, variable.clone())).collect();
+        Ok(Some(form.with_parts(&by)))
     }
 
     /// Which law of polar forms a formula in some letters does not fulfil.
@@ -74,9 +75,8 @@ impl Reader<'_> {
             }
         }
         for pair in letters.windows(2) {
-            let between = Expr::name("zeta");
-            let first = put(form.clone(), &pair[0], &between);
-            let swapped = put(put(first, &pair[1], &pair[0]), &between, &pair[1]);
+            let [one, other] = [pair[0].clone(), pair[1].clone()];
+            let swapped = form.with_parts(&[(one.clone(), other.clone()), (other, one)]);
             if value(swapped).is_some_and(|swapped| swapped != own) {
                 return Some("symmetric");
             }
@@ -174,13 +174,4 @@ impl Reader<'_> {
             *formula = Expr { span, ..Expr::product(names.collect()) }.grouped();
         }
     }
-}
-
-/// Puts something in the place of a letter, which may have an index.
-fn put(mut formula: Expr, letter: &Expr, value: &Expr) -> Expr {
-    if formula.same_as(letter) {
-        return value.clone();
-    }
-    formula.for_each_child_mut(&mut |child| *child = put(child.clone(), letter, value));
-    formula
 }
