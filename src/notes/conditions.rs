@@ -203,7 +203,7 @@ fn give_intervals(statements: &mut [Statement]) {
 
 /// Words without the mark of a part before them: "(a) On".
 fn without_mark(words: &str) -> &str {
-    let words = words.trim_start_matches(['*', '_', ' ', '\n']);
+    let words = words.trim_start_matches(['*', '_', '}', ' ', '\n']);
     match words.strip_prefix('(').and_then(|rest| rest.split_once(')')) {
         Some((mark, rest)) if mark.chars().count() < 4 => rest,
         _ => words,
