@@ -141,16 +141,20 @@ impl Expr {
 
     /// The formula with others in the places of some of its parts, all at once.
     pub fn with_parts(&self, by: &[(Expr, Expr)]) -> Expr {
-        if let Some((_, other)) = by.iter().find(|(part, _)| part.same_as(self)) {
-            return other.clone();
+        fn put_in(expr: &mut Expr, by: &[(Expr, Expr)]) {
+            match by.iter().find(|(part, _)| part.same_as(expr)) {
+                Some((_, other)) => *expr = other.clone(),
+                None => expr.for_each_child_mut(&mut |child| put_in(child, by)),
+            }
         }
-        let mut found = self.clone();
-        found.for_each_child_mut(&mut |child| *child = child.with_parts(by));
-        found
+        let mut copy = self.clone();
+        put_in(&mut copy, by);
+        copy
     }
 
     /// Whether both trees have the same structure, wherever they were read.
     pub fn same_as(&self, other: &Expr) -> bool {
-        self.clone().without_spans() == other.clone().without_spans()
+        std::mem::discriminant(&self.kind) == std::mem::discriminant(&other.kind)
+            && self.clone().without_spans() == other.clone().without_spans()
     }
 }

@@ -34,25 +34,34 @@ impl Checker {
         if !new || !matrix || statement.role == Some(Role::Introduced) || bases(&right.expr).contains(name) {
             return;
         }
-        let place = &statement.place;
-        if let Some(found) = self.by_its_entries(chain, statement) {
-            if found.verdict == Verdict::Refuted {
-                Rc::make_mut(&mut self.context).forget(before);
-            }
-            let Finding { verdict, reason, witness, evidence, .. } = found;
-            *finding = Finding { verdict, reason, witness, evidence, ..finding.clone() };
-            return;
+        let found =
+            self.by_its_entries(chain, statement).or_else(|| self.completed(chain, name, statement, before));
+        let Some(Finding { verdict, reason, witness, evidence, .. }) = found else { return };
+        if verdict == Verdict::Refuted {
+            Rc::make_mut(&mut self.context).forget(before);
         }
+        *finding = Finding { verdict, reason, witness, evidence, ..finding.clone() };
+    }
+
+    /// What the field says of the last formula before with a matrix put for its name, if that decides it.
+    fn completed(
+        &mut self,
+        chain: &Chain,
+        name: &str,
+        statement: &Statement,
+        before: Mark,
+    ) -> Option<Finding> {
+        let (left, right, place) = (&chain.sides[0], &chain.sides[1], &statement.place);
         let uses = |own: &&Definition| match &own.body {
             Body::Formula(body) => bases(body).contains(name) && place.knows(&own.place, own.assumed),
             Body::Value(_) => false,
         };
         let earlier = self.context.definitions[..before.definitions()].iter().rev().find(uses);
-        let Some(Definition { head, body: Body::Formula(body), .. }) = earlier.cloned() else { return };
+        let Some(Definition { head, body: Body::Formula(body), .. }) = earlier.cloned() else { return None };
         if head.lower.len() + head.upper.len() > 0 {
-            return;
+            return None;
         }
-        let Some(arguments) = head.arguments.clone() else { return };
+        let arguments = head.arguments.clone()?;
         let callee = Expr::name(head.base.clone());
         let call = Expr::new(Kind::Apply(Box::new(callee), arguments), left.expr.span);
         let whole = body.with_name(name, &right.expr.clone().grouped());
@@ -62,13 +71,9 @@ impl Checker {
         let mut found = vec![Finding { verdict: Verdict::Definition, ..blank(&completed, 0) }];
         self.by_the_field(&completed, statement, &mut found, before);
         self.context = kept;
-        if matches!(found[0].verdict, Verdict::Proved | Verdict::Sampled | Verdict::Refuted) {
-            if found[0].verdict == Verdict::Refuted {
-                Rc::make_mut(&mut self.context).forget(before);
-            }
-            let Finding { verdict, reason, witness, evidence, .. } = found.remove(0);
-            *finding = Finding { verdict, reason, witness, evidence, ..finding.clone() };
-        }
+        let decides =
+            |own: &Finding| matches!(own.verdict, Verdict::Proved | Verdict::Sampled | Verdict::Refuted);
+        found.pop().filter(decides)
     }
 
     /// G = a matrix, where the page says what all G_{ij} are.

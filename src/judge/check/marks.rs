@@ -1,4 +1,4 @@
-//! New things with the letter of an old one and a prime: the vertex S' in the place of S.
+//! New things with the letter of an old one and a prime: the vertex S' in the place of S; and κ_+ beside κ_-, no positive part.
 //!
 //! **Rule.** S' = … names a new thing if nothing on the page is a function S, or says what S is.
 

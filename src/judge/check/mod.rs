@@ -1,7 +1,7 @@
 //! A page checked: statements one after the other, what they define is known to those after them.
 //!
-//! `asked` makes a page of one claim, `backwards` looks back at a formula that a new name completes, `declare` takes in declarations, `derivation` reads D as an operator, `implied` knows
-//! what a sentence says beside its formula, and `blame` finds which of several formulas of a sentence is wrong.
+//! `asked` makes a page of one claim, `backwards` looks back at a formula that a new name completes, `declare` takes in
+//! declarations, `derivation` reads D as an operator, `implied` knows what a sentence says beside its formula, and `blame` finds which of several formulas of a sentence is wrong.
 
 pub(crate) mod asked;
 mod backwards;

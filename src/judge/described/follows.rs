@@ -32,12 +32,10 @@ const MOST: usize = 60;
 const INSTANCES: usize = 40;
 
 /// An equation that may be used.
-struct Used {
+struct Used<'a> {
     sides: Sides,
-    /// The line it stands in; nothing for what is known of polar forms.
-    line: Option<usize>,
-    /// The number of its formula.
-    at: Option<usize>,
+    /// Where it comes from; nothing for what is known of polar forms.
+    from: Option<&'a Equation>,
     /// Whether it stands so on the page.
     written: bool,
 }
@@ -218,14 +216,12 @@ impl Checker {
                 if !own.ranges.is_empty() || number(&sides.0).is_some() {
                     continue;
                 }
-                used.push(Used { sides, line: Some(own.line), at: Some(own.place.formula), written: true });
+                used.push(Used { sides, from: Some(own.as_ref()), written: true });
             } else {
                 rules.push((own.as_ref(), sides));
             }
         }
-        let mut all = terms(
-            [&claim.0, &claim.1].into_iter().chain(used.iter().flat_map(|own| [&own.sides.0, &own.sides.1])),
-        );
+        let mut all = terms_of(claim, &used);
         let mut at = 0;
         while at < all.len() && used.len() < MOST + INSTANCES {
             for (rule, sides) in &rules {
@@ -234,8 +230,7 @@ impl Checker {
                 let new: Vec<Expr> = new.into_iter().filter(|term| !all.contains(term)).collect();
                 all.extend(new);
                 if !used.iter().any(|own| own.sides == sides) {
-                    let at = Some(rule.place.formula);
-                    used.push(Used { sides, line: Some(rule.line), at, written: false });
+                    used.push(Used { sides, from: Some(*rule), written: false });
                 }
             }
             at += 1;
@@ -245,10 +240,7 @@ impl Checker {
             own.sides = (sorted(&own.sides.0, &polar), sorted(&own.sides.1, &polar));
         }
         let claim = &(sorted(&claim.0, &polar), sorted(&claim.1, &polar));
-        let all = terms(
-            [&claim.0, &claim.1].into_iter().chain(used.iter().flat_map(|own| [&own.sides.0, &own.sides.1])),
-        );
-        used.extend(on_lines(&all, &polar));
+        used.extend(on_lines(&terms_of(claim, &used), &polar));
         let of = |used: &[&Used]| {
             let sides: Vec<Sides> = used.iter().map(|own| own.sides.clone()).collect();
             consequence(&sides, claim)
@@ -267,11 +259,11 @@ impl Checker {
         let again = |own: &&Used| {
             own.written && (own.sides == *claim || own.sides.0 == claim.1 && own.sides.1 == claim.0)
         };
-        let lines: BTreeSet<usize> = needed.iter().filter_map(|own| own.line).collect();
+        let lines: BTreeSet<usize> = needed.iter().filter_map(|own| own.from).map(|from| from.line).collect();
         let said_before =
             needed.iter().any(|own| again(own) || own.written && own.sides.0 == claim.0 && needed.len() == 1);
         // Another equation for it, of which nothing is known, may be what it comes from.
-        let last = needed.iter().filter_map(|own| own.at).max()?;
+        let last = needed.iter().filter_map(|own| own.from).map(|from| from.place.formula).max()?;
         let own = telling(&claim.0);
         let unsure =
             self.equations.iter().rev().take_while(|other| other.place.formula >= last).any(|other| {
@@ -310,6 +302,12 @@ impl Checker {
         };
         called.into_iter().filter(is_form).collect()
     }
+}
+
+/// The terms of a claim and of equations.
+fn terms_of(claim: &Sides, used: &[Used]) -> Vec<Expr> {
+    let sides = std::iter::once(claim).chain(used.iter().map(|own| &own.sides));
+    terms(sides.flat_map(|(left, right)| [left, right]))
 }
 
 /// "1, 3 and 4"
@@ -502,7 +500,7 @@ fn sorted(expr: &Expr, polar: &BTreeSet<String>) -> Expr {
 }
 
 /// That values of polar forms on one line, f(a, x), f(a, y), f(a, z), are there like x, y, z.
-fn on_lines(all: &[Expr], polar: &BTreeSet<String>) -> Vec<Used> {
+fn on_lines(all: &[Expr], polar: &BTreeSet<String>) -> Vec<Used<'static>> {
     let calls: Vec<(&Expr, String, Vec<Rational>)> = all
         .iter()
         .filter_map(|term| polar_call(term).map(|(name, arguments)| (term, name, arguments)))
@@ -530,7 +528,7 @@ fn on_lines(all: &[Expr], polar: &BTreeSet<String>) -> Vec<Used> {
                 Term { sign: Sign::Plus, expr }
             };
             let sum = Expr::sum(vec![term(z - y, f), term(x - z, g), term(y - x, h)]);
-            found.push(Used { sides: (sum, Expr::int(0)), line: None, at: None, written: false });
+            found.push(Used { sides: (sum, Expr::int(0)), from: None, written: false });
         }
     }
     found.truncate(MOST);

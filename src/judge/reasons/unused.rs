@@ -166,16 +166,7 @@ impl Checker {
             })
         };
         let data = |definition: &Definition| match &definition.body {
-            Body::Formula(body) => {
-                let own: BTreeSet<String> = definition
-                    .head
-                    .flat()
-                    .into_iter()
-                    .chain(&definition.head.lower)
-                    .flat_map(bases)
-                    .collect();
-                bases(body).is_subset(&own)
-            }
+            Body::Formula(_) => definition.is_datum(),
             Body::Value(value) => compare::symbols(value).is_empty(),
         };
         // What is said of all i rests on no numbers.

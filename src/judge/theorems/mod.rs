@@ -190,13 +190,12 @@ impl Checker {
         let own = Head::of(&chain.sides[0].expr).map(|head| head.base);
         let mut result = side.clone();
         let head = Head::of(side).filter(|head| head.arguments.is_none());
-        let is_member = |part: &Expr| matches!(part.kind, Kind::Subscript(..));
-        let is_matrix = |part: &Expr| matches!(part.kind, Kind::Matrix(..));
+        let tells = |part: &Expr| matches!(part.kind, Kind::Subscript(..) | Kind::Matrix(..));
         let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
         if let Some(head) = head.filter(given)
             && let Some(value) = self.unfolded(side, place, Choices::default())
             // A count stays as it is, the midpoint m and the matrix M do not.
-            && (!head.lower.is_empty() || !is_index_letter(&head.base) || value.has(&is_member) || value.has(&is_matrix))
+            && (!head.lower.is_empty() || !is_index_letter(&head.base) || value.has(&tells))
         {
             return value.without_spans();
         }

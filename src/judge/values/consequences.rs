@@ -39,7 +39,7 @@ const MOST: usize = 120;
 pub fn consequence(equations: &[Sides], claim: &Sides) -> Option<Consequence> {
     let count = dimension(equations, claim)?;
     let found: Vec<Found> =
-        (0..count).map(|at| in_coordinate(equations, claim, at)).collect::<Option<_>>()?;
+        (0..count).map(|at| in_coordinate(equations, claim, at, count)).collect::<Option<_>>()?;
     if found.iter().all(|one| one.follows) {
         return Some(Consequence::Follows);
     }
@@ -221,8 +221,7 @@ fn rows((left, right): &Sides) -> Option<Vec<Row>> {
     Some(rows.iter().map(|one| row(one.numerator())).filter(|row| !row.is_empty()).collect())
 }
 
-fn in_coordinate(equations: &[Sides], claim: &Sides, at: usize) -> Option<Found> {
-    let count = dimension(equations, claim)?;
+fn in_coordinate(equations: &[Sides], claim: &Sides, at: usize, count: usize) -> Option<Found> {
     let mut terms = Terms::default();
     let mut put = |(left, right): &Sides| {
         let whole = has_matrix(left) || has_matrix(right);

@@ -10,6 +10,7 @@ use super::arguments::matrix_of;
 use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
+use super::names::spread;
 use crate::formula::source::Span;
 use crate::formula::{Delimiter, Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -19,22 +20,6 @@ use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 use num_traits::Signed;
-
-/// The index ij as i and j, 10 as 1 and 0.
-fn apart(indices: &[Expr]) -> Vec<Expr> {
-    match indices {
-        [Expr { kind: Kind::Mul(factors), .. }] => factors.clone(),
-        [Expr { kind: Kind::Number(q), span }] if q.is_integer() && q.numer() > &9.into() => {
-            let digits = q.to_string().into_bytes();
-            digits.iter().map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span)).collect()
-        }
-        // 01, 00
-        [Expr { kind: Kind::Name(word), span }] if word.bytes().all(|digit| digit.is_ascii_digit()) => {
-            word.bytes().map(|digit| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span)).collect()
-        }
-        _ => indices.to_vec(),
-    }
-}
 
 fn is_scalar(value: &Value) -> bool {
     matches!(value, Value::Scalar(_))
@@ -255,7 +240,7 @@ impl Machine {
                 .hint(format!("for the product write the letter behind: x^2 {sign}")));
         }
         let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
-        let indices = if orders.len() > 1 { apart(indices) } else { indices.clone() };
+        let indices = spread(indices, orders.len(), self);
         if indices.is_empty() || indices.len() < orders.len() {
             return Ok(None);
         }

@@ -185,7 +185,7 @@ impl Draft {
     /// Whether a curve is wanted, for which there are points.
     pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return false };
-        if self.wants_coordinates(items) || are_formulas(items) {
+        if self.wants_coordinates(items) {
             return false;
         }
         match first.kind {
@@ -305,7 +305,6 @@ impl Draft {
         // Coefficients: bernstein coefficients 1, 0, 1.
         if matches!(self.builtin.name, "in_bernstein" | "bezier_points" | "control_points")
             && (items.len() > 1 || matches!(&items[0].kind, Kind::List(_)))
-            && !are_formulas(&items)
             && let Some(bezier) = builtin("bezier")
         {
             self.builtin = bezier;
@@ -571,16 +570,4 @@ impl Draft {
     pub(super) fn has_ends(&self) -> bool {
         self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
     }
-}
-
-/// Whether items are the coordinates of a curve, and no points: (1 - t^2)/(1 + t^2), 2 t/(1 + t^2).
-fn are_formulas(items: &[Expr]) -> bool {
-    let in_t = |part: &Expr| matches!(&part.kind, Kind::Name(name) if name == "t");
-    let formula =
-        |item: &Expr| matches!(item.kind, Kind::Add(_) | Kind::Div(..) | Kind::Pow(..)) && item.has(&in_t);
-    let listed = match items {
-        [one] => one.items().unwrap_or_default(),
-        items => items,
-    };
-    listed.iter().any(formula)
 }

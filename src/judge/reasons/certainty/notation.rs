@@ -145,8 +145,6 @@ impl Suspect<'_> {
         self.sides().into_iter().any(is_word).then(|| "its letters may be no numbers".to_owned())
     }
 
-    /// A function of the page that stands in a sum or product without an argument, and with one elsewhere:
-    /// 2 T_1 T_1(x).
     /// Whether a name without upper indices is a member of a family that never has arguments.
     fn is_control_point(&self, head: &Head) -> bool {
         let place = &self.statement.place;
@@ -156,6 +154,8 @@ impl Suspect<'_> {
             && known.all(|(_, own, _)| own.head.arguments.is_none() || !own.head.upper.is_empty())
     }
 
+    /// A function of the page that stands in a sum or product without an argument, and with one elsewhere:
+    /// 2 T_1 T_1(x).
     fn function_without_argument(&self) -> Option<String> {
         let functions: Vec<&Definition> =
             self.used().filter(|definition| definition.head.arguments.is_some()).collect();
