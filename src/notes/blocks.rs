@@ -2,11 +2,10 @@
 //! back to.
 
 use std::collections::HashMap;
-use std::rc::Rc;
 
 use super::speech::{self, Block};
 use crate::formula::{Kind, Rel};
-use crate::judge::page::statement::{Chain, Place, Role, Said, Statement};
+use crate::judge::page::statement::{Chain, Layout, Place, Role, Said, Statement};
 use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
 use crate::language::{latex, write};
@@ -29,7 +28,7 @@ pub(super) struct Blocks {
     /// The examples so far.
     examples: Vec<Example>,
     /// The example that the paragraph goes back to.
-    pub(super) recalled: Option<Rc<Place>>,
+    pub(super) recalled: Option<Place>,
 }
 
 /// An example that later words may go back to.
@@ -38,7 +37,7 @@ struct Example {
     /// "2", or a label.
     name: Option<String>,
     /// Where its last formula stands.
-    place: Rc<Place>,
+    place: Place,
 }
 
 impl Blocks {
@@ -138,7 +137,7 @@ impl Blocks {
 
     fn begin(&mut self, block: Block, own: u32, name: Option<String>, place: &Place) {
         if block == Block::Closed {
-            let place = Rc::new(Place { blocks: self.open(), ..place.clone() });
+            let place = Place::from(Layout { blocks: self.open(), ..Layout::clone(place) });
             self.examples.push(Example { block: own, name, place });
         }
     }
@@ -149,7 +148,7 @@ impl Blocks {
         if let Some(example) = self.examples.last_mut()
             && place.blocks.contains(&example.block)
         {
-            example.place = Rc::new(place.clone());
+            example.place = place.clone();
         }
     }
 

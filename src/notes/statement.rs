@@ -19,7 +19,7 @@ use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, interval, spread};
-use crate::judge::page::statement::{Chain, Place, Said, Side, Statement};
+use crate::judge::page::statement::{Chain, Layout, Place, Said, Side, Statement};
 use crate::judge::page::topic::{Topic, Topics};
 use crate::judge::written::names::{Head, bases};
 use crate::language::diagnostic::Diagnostic;
@@ -315,7 +315,7 @@ impl Reader<'_> {
             .filter_map(|(_, scope)| self.blocks.scope_of(*scope));
         let sections = self.sections.iter().map(|section| section.scope);
         let scope: Vec<u32> = sections.chain(enclosing).collect();
-        Place {
+        Place::from(Layout {
             group: self.group,
             formula: self.formula,
             // "In Example 1", right after another one
@@ -330,7 +330,7 @@ impl Reader<'_> {
             changes: self.changes.so_far,
             replaced: self.changes.replaced.clone(),
             spare: 0,
-        }
+        })
     }
 
     fn push(&mut self, said: Said) {

@@ -8,7 +8,7 @@ use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::finding::{self, Finding};
-use crate::judge::page::statement::{Chain, Place, Role, Said, Side, Statement};
+use crate::judge::page::statement::{Chain, Layout, Place, Role, Said, Side, Statement};
 use crate::judge::values::family::may_be_family;
 use crate::judge::written::names::bases;
 use crate::language::diagnostic::Diagnostic;
@@ -163,7 +163,7 @@ fn findings(claim: &Expr, conditions: &[Expr]) -> Vec<Finding> {
         conditions: conditions.to_vec(),
         ..Chain::new(sides.map(side).collect(), relations)
     };
-    let place = Place { formula: 1, ..Place::default() };
+    let place = Place::from(Layout { formula: 1, ..Layout::default() });
     let statement = Statement { role: Some(Role::Claimed), ..Statement::new(Said::Chain(chain), place) };
     let limits = Limits { steps: Some(STEPS), ..Limits::default() };
     let mut checker = Checker::new(&SourceFile::new("", ""), &limits, std::slice::from_ref(&statement));

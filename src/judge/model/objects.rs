@@ -13,7 +13,7 @@ use crate::judge::values::inequality::is_unit;
 use crate::judge::written::names::{Head, bases, is_capital, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
-use crate::language::lexicon::{families, roles};
+use crate::language::lexicon::families;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::blossom::{Argument, PolarForm};
@@ -288,7 +288,6 @@ impl Model {
                 let x = one?;
                 let indices: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
                 let own = object.name_for(head)?;
-                let patterns: Vec<&Expr> = own.lower.iter().chain(&own.upper).collect();
                 // B_0, …, B_3 of degree 3
                 if let [i] = indices.as_slice() {
                     let degree = self.stated_degree(machine, &object, &bound)?;
@@ -296,12 +295,11 @@ impl Model {
                     note("a Bernstein polynomial");
                     return Some(Ok(Value::Scalar(self.bernstein_value(degree as i64, i, &x))));
                 }
-                let ([a, b], [p, _]) = (indices.as_slice(), patterns.as_slice()) else { return None };
-                let first = object.degree.as_ref().map_or_else(
-                    || bases(p).iter().any(|name| roles::is_degree(name)),
-                    |degree| degree.same_as(p),
-                );
-                let (i, n) = if first && head.upper.is_empty() { (b, a) } else { (a, b) };
+                let [a, b] = indices.as_slice() else { return None };
+                if own.lower.len() + own.upper.len() != 2 {
+                    return None;
+                }
+                let (i, n) = if object.has_degree_first(&own) { (b, a) } else { (a, b) };
                 let (i, n) = (machine.eval(i).ok()?.as_int()?, machine.eval(n).ok()?.as_int()?);
                 note("a Bernstein polynomial");
                 Ok(Value::Scalar(self.bernstein_value(n, i, &x)))

@@ -8,6 +8,7 @@ use crate::formula::{Expr, Kind};
 use crate::judge::page::context::{Body, Context};
 use crate::judge::page::statement::Place;
 use crate::judge::written::names::{Head, bases, is_index_letter};
+use crate::language::lexicon::roles;
 
 /// What a name stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -147,6 +148,13 @@ impl Object {
             local: false,
             any: false,
         }
+    }
+
+    /// Whether the first of the two indices of these functions is their degree, as a name with them is written: B_{n,i}.
+    pub fn has_degree_first(&self, name: &Head) -> bool {
+        let [first, _] = name.lower.as_slice() else { return false };
+        let size = || bases(first).iter().any(|name| roles::is_degree(name));
+        self.degree.as_ref().map_or_else(size, |degree| degree.same_as(first))
     }
 
     /// The name of the object that a head is written with, if it is one of this object: the same letter with as

@@ -1,5 +1,6 @@
 //! What is judged: chains of relations with what is said of them, and where they stand.
 
+use std::ops::{Deref, DerefMut};
 use std::rc::Rc;
 
 use crate::formula::source::Span;
@@ -16,9 +17,13 @@ impl Statement {
     }
 }
 
-/// Where a statement stands.
+/// Where a statement stands: shared, since all that is read there asks for it.
+#[derive(Clone, Debug, Default)]
+pub struct Place(Rc<Layout>);
+
+/// What a place is in the layout of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct Layout {
     /// The sections, quotations and environments around it, outermost first.
     pub scope: Vec<u32>,
     /// Formulas with the same number stand in one paragraph or list.
@@ -30,7 +35,7 @@ pub struct Place {
     /// The proofs and solutions it stands in: they speak of what they prove, but what they suppose ends with them.
     pub proofs: Vec<u32>,
     /// The end of an earlier example that its paragraph goes back to: "in Example 2".
-    pub recalled: Option<Rc<Place>>,
+    pub recalled: Option<Place>,
     /// The items of lists it stands in, outermost first.
     pub items: Vec<u32>,
     /// How often words before it said that data change: "if b_1 is replaced by …".
@@ -41,23 +46,51 @@ pub struct Place {
     pub spare: usize,
 }
 
+impl From<Layout> for Place {
+    fn from(layout: Layout) -> Self {
+        Place(Rc::new(layout))
+    }
+}
+
+impl Deref for Place {
+    type Target = Layout;
+
+    fn deref(&self) -> &Layout {
+        &self.0
+    }
+}
+
+impl DerefMut for Place {
+    fn deref_mut(&mut self) -> &mut Layout {
+        Rc::make_mut(&mut self.0)
+    }
+}
+
+impl PartialEq for Place {
+    fn eq(&self, other: &Place) -> bool {
+        Rc::ptr_eq(&self.0, &other.0) || self.0 == other.0
+    }
+}
+
+impl Eq for Place {}
+
 impl Place {
     /// Whether data from there may be others here: words change them, or they belong to another item of a list.
     pub fn may_change(&self, earlier: &Place) -> bool {
-        let here = self.recalled.as_deref().unwrap_or(self);
+        let here = self.recalled.as_ref().unwrap_or(self);
         earlier.changes < here.changes || self.is_apart(earlier)
     }
 
     /// Whether data from there belong to another item of a list, or numbers were told since that nothing took.
     pub fn is_apart(&self, earlier: &Place) -> bool {
         // What an example said that the paragraph goes back to holds here.
-        let here = self.recalled.as_deref().unwrap_or(self);
+        let here = self.recalled.as_ref().unwrap_or(self);
         earlier.formula < self.spare || !here.items.starts_with(&earlier.items)
     }
 
     /// Whether words said since then that something else stands in the place of a letter.
     pub fn is_replaced(&self, letter: &str, earlier: &Place) -> bool {
-        let here = self.recalled.as_deref().unwrap_or(self);
+        let here = self.recalled.as_ref().unwrap_or(self);
         let times = |place: &Place| place.replaced.iter().filter(|own| *own == letter).count();
         times(earlier) < times(here)
     }

@@ -173,9 +173,10 @@ impl Checker {
         let general = sides.iter().any(|side| !integer_names(side).is_empty());
         let definitions = self.context.definitions.iter().filter(|own| {
             let base = &own.head.base;
-            // T_n(x) is that of another function.
-            let one =
-                own.head.arguments.is_some() && own.head.lower.iter().any(|index| index.as_int().is_some());
+            // T_2(x) is that of another function; N_{i,0}(x) is one for all i.
+            let one = own.head.arguments.is_some()
+                && !own.head.lower.is_empty()
+                && own.head.lower.iter().all(|index| index.as_int().is_some());
             let given_anew = || {
                 let mut known = self.context.visible(base, place);
                 known

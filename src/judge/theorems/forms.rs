@@ -1,6 +1,9 @@
 //! The forms in which a claim is compared with theorems: notations that mean the same are written in one way.
 
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
+use crate::judge::page::context::Context;
+use crate::judge::page::object::Sort;
+use crate::judge::page::statement::Place;
 use crate::judge::written::names::{Head, bases, walk};
 use crate::language::lexicon::families;
 
@@ -71,6 +74,21 @@ pub(super) fn with_repetitions(expr: &Expr, polar: bool) -> Expr {
         }
     }
     result
+}
+
+/// A formula of the table in the order of indices that the page has: B_{n,i} for B_{i,n}, where its first index is the degree.
+pub(super) fn in_order_of_page(expr: &mut Expr, context: &Context, place: &Place) {
+    expr.for_each_child_mut(&mut |child| in_order_of_page(child, context, place));
+    let Kind::Subscript(base, indices) = &mut expr.kind else { return };
+    let (Some(letter), 2) = (Head::of(base), indices.len()) else { return };
+    let first = context.object_called(&letter.base, place).is_some_and(|declared| {
+        let own = declared.object.names.iter().filter_map(Head::of).find(|own| own.lower.len() == 2);
+        declared.object.sort == Sort::Bernstein
+            && own.is_some_and(|own| declared.object.has_degree_first(&own))
+    });
+    if first {
+        indices.swap(0, 1);
+    }
 }
 
 /// A formula in which the points b_i^r(t) of an algorithm are written b_i^r.

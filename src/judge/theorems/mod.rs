@@ -27,7 +27,8 @@ use std::rc::Rc;
 use self::entry::{Theorem, known};
 use self::fit::{Claim, Instance, Standing};
 use self::forms::{
-    main_case, with_indices_apart, with_repetitions, with_windows, without_marks, without_parameters,
+    in_order_of_page, main_case, with_indices_apart, with_repetitions, with_windows, without_marks,
+    without_parameters,
 };
 use self::letters::{Profile, Said, ways};
 use crate::budget;
@@ -404,6 +405,7 @@ impl Checker {
                     let put = |expr: &Expr| {
                         let mut expr = expr.clone();
                         unfold::put(&mut expr, &by);
+                        in_order_of_page(&mut expr, &self.context, claim.place);
                         expr.without_spans()
                     };
                     found.push(Instance {

@@ -3,12 +3,10 @@
 use std::rc::Rc;
 
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::Tally;
 use crate::judge::known::checker::Checker;
 use crate::judge::known::meaning::{definable, is_root_of};
 use crate::judge::known::unread::{family_told, is_whole_family};
-use crate::judge::model::Choices;
 use crate::judge::page::context::{Body, is_variable};
 use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
 use crate::judge::page::object::{Declared, Sort};
@@ -21,7 +19,6 @@ use crate::judge::verdict::relation::Judged;
 use crate::judge::written::features::has_call;
 use crate::judge::written::names::{Head, bases, contains, symbol_of};
 use crate::language::value::{Value, symbol_expr};
-use crate::language::write;
 use crate::math::poly::Index;
 use num_traits::Zero;
 
@@ -564,50 +561,6 @@ impl Checker {
                 findings[at].reason = Some(format!("says what {} are", names.join(", ")));
                 findings[at].witness = None;
                 findings[at].suggestion = None;
-            }
-        }
-    }
-
-    /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one
-    /// is judged by comparing the sides around.
-    fn across(&self, setting: &Setting, start: usize, choices: Choices, findings: &mut [Finding]) {
-        let chain = setting.chain;
-        for at in start..chain.relations.len().saturating_sub(1) {
-            let open = |finding: &Finding| {
-                matches!(finding.verdict, Verdict::Refuted | Verdict::Undecided | Verdict::Unread)
-            };
-            let equal = |at: usize| matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv);
-            if !(open(&findings[at]) && open(&findings[at + 1]) && equal(at) && equal(at + 1)) {
-                continue;
-            }
-            if chain.sides[at].is_unread() || chain.sides[at + 2].is_unread() {
-                continue;
-            }
-            let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
-            let outcomes = self.trial(setting, &sides, &[Rel::Eq], choices).run();
-            let tally = &outcomes.tallies[0];
-            // c(1/4) = b_0^2(1/4) = 29/8: whatever stands between is, c(1/4) is a number, too.
-            let number = |side: &Expr| bases(side).is_empty();
-            if let ([failure], Kind::Apply(_, groups)) = (tally.fails.as_slice(), &sides[0].kind)
-                && findings[at].verdict == Verdict::Undecided
-                && findings[at + 1].verdict == Verdict::Undecided
-                && groups.iter().flatten().all(number)
-                && number(sides[1])
-                && tally.record.unknown.is_empty()
-                && tally.record.definitions.iter().all(|(_, near)| *near)
-                && [&failure.left, &failure.right].into_iter().all(|value| value.as_rational().is_some())
-            {
-                let (next, left) = (&mut findings[at + 1], &chain.sides[at].latex);
-                next.verdict = Verdict::Refuted;
-                next.reason = Some(format!("{left} is {}", write::text(&failure.left.to_expr())));
-                next.evidence = vec![Evidence::Value];
-                continue;
-            }
-            if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
-                let next = &mut findings[at + 1];
-                next.verdict = Verdict::Undecided;
-                next.reason = Some("equal to the side before the last, not to the one between".to_owned());
-                (next.witness, next.suggestion, next.warning) = (None, None, None);
             }
         }
     }

@@ -46,7 +46,7 @@ pub(crate) use spoken::{
     Asked, Call, Count, Request, Said, Total, What, family_index, loosely, place_without_value, request,
 };
 pub use token::MAX_TOKENS;
-pub(crate) use unknown::{Unknown, unknown};
+pub(crate) use unknown::{Unknown, letter_of_object, unknown};
 
 use crate::formula::Expr;
 use crate::formula::source::{Pieces, Span};

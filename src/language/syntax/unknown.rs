@@ -4,6 +4,7 @@
 use super::clauses::after_introduction;
 use super::pieces::{Part, has_words, parts, without_text_commands};
 use crate::formula::source::{Pieces, Span};
+use crate::language::lexicon::asking;
 use crate::language::lexicon::phrases::{Label, Phrase};
 
 /// A function that is asked for by conditions.
@@ -34,7 +35,15 @@ pub(crate) fn unknown(
     let masked = without_text_commands(text);
     // If f(0, 0) = 1, …
     let start = after_introduction(masked.as_ref());
-    let masked = " ".repeat(start) + masked.piece(start..);
+    let mut masked = " ".repeat(start) + masked.piece(start..);
+    // f is the blossom of a quadratic with …
+    if let Some((name, rest)) = masked.piece(start..).split_once(' ')
+        && name.chars().count() == 1
+        && let Some((_, length)) = asking::copula(rest)
+    {
+        let from = masked.len() - rest.len();
+        masked.replace_range(from..from + length, &" ".repeat(length));
+    }
     let text = masked.as_str();
     let parts = parts(text, known, function);
     // Without a word it is a claim: f(0, 1) = 2.
@@ -76,6 +85,7 @@ pub(crate) fn unknown(
                 | Phrase::Curve
                 | Phrase::Of
                 | Phrase::And
+                | Phrase::Has
                 | Phrase::Multiaffine
                 | Phrase::Function("polar")
                 | Phrase::Label(Label::With | Label::Values),
@@ -108,6 +118,39 @@ pub(crate) fn unknown(
     let name = name.filter(|name| !known(name) && function(name).is_none())?;
     let asks = found.asked.is_none_or(|span| text.piece(span.range()).contains(name));
     (!found.conditions.is_empty() && asks && (found.form.is_none() || found.asked.is_none())).then_some(found)
+}
+
+/// Where the letter of an object stands before what it has: F in "the cubic F has the points 0, 1, 3, 2".
+pub(crate) fn letter_of_object(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<Span> {
+    let masked = without_text_commands(text);
+    let parts = parts(masked.as_ref(), &|_| false, function);
+    let has = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Has
+                    | Phrase::Takes
+                    | Phrase::Label(Label::With | Label::Points | Label::Knots | Label::Through),
+                _
+            )
+        )
+    };
+    let kind = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(Phrase::Degree(_) | Phrase::Curve | Phrase::Rational | Phrase::Function(_), _)
+                | Part::Phrase(Phrase::Filler, _)
+        )
+    };
+    let kinds = parts.iter().take_while(|part| kind(part)).count();
+    let named = parts.iter().take(kinds).any(|part| !matches!(part, Part::Phrase(Phrase::Filler, _)));
+    match parts.get(kinds..)? {
+        [Part::Piece(span), next, ..] if named && has(next) => {
+            let letter = masked.piece(span.range()).trim_matches('$');
+            (letter.chars().count() == 1 && letter.starts_with(char::is_alphabetic)).then_some(*span)
+        }
+        _ => None,
+    }
 }
 
 /// The function of which a text gives a value: p'(0) = 1.

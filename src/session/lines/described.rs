@@ -83,6 +83,16 @@ impl Session {
     /// What words describe, if it is something of which there are values, and the name it is given.
     fn object(&self, file: &SourceFile, head: Span) -> Option<(Expr, Option<String>)> {
         let text = file.slice(head);
+        // the cubic F has the points 0, 1, 3, 2
+        if let Some(letter) = syntax::letter_of_object(text, &function_called)
+            && let name = text.get(letter.range())?.trim_matches('$').to_owned()
+            && !defines(&self.env, &name)
+        {
+            let mut masked = file.text().to_owned();
+            masked.replace_range(letter.shifted(head.start).range(), &" ".repeat(letter.len()));
+            let (object, _) = self.object(&SourceFile::new(file.name(), masked), head)?;
+            return Some((object, Some(name)));
+        }
         let (body, name) = match (self.named_with_is(text), syntax::clause(text)) {
             (Some((name, start)), _) => (Span::new(head.start + start, head.end), Some(name)),
             (None, Some(clause)) if !defines(&self.env, clause.name) => {
@@ -90,9 +100,19 @@ impl Session {
             }
             _ => (Span::new(head.start + syntax::after_introduction(text), head.end), None),
         };
-        let object = self.spoken_data(file, body).or_else(|| self.defined(file, head))?;
-        let outcome = self.clone().evaluate(&mut object.clone(), Equals::Claims);
-        let has_values = match &outcome {
+        let spoken = self.spoken_data(file, body);
+        let has = |object: &Expr, wrong: bool| self.has_values(object, wrong);
+        let object = spoken
+            .clone()
+            .filter(|object| has(object, false))
+            .or_else(|| self.defined(file, head).filter(|object| has(object, false)))
+            .or_else(|| spoken.filter(|object| has(object, true)))?;
+        Some((object, name))
+    }
+
+    /// Whether a formula gives something of which there are values, or something is wrong with it, if that counts.
+    fn has_values(&self, object: &Expr, wrong: bool) -> bool {
+        match &self.clone().evaluate(&mut object.clone(), Equals::Claims) {
             Ok(Outcome { value, .. }) => match value {
                 Value::Scalar(formula) => formula.variables().len() == 1,
                 Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_) => true,
@@ -100,12 +120,12 @@ impl Session {
                 _ => false,
             },
             // What is wrong with the object is told as the answer; if something is missing, it may stand behind.
-            Err(problem) => problem.code != Code::Arity,
-        };
-        has_values.then_some((object, name))
+            Err(problem) => wrong && problem.code != Code::Arity,
+        }
     }
 
-    /// The formula of a function of one variable that is defined, by a formula or by conditions: F(t) = t^2.
+    /// The formula of a function of one variable that is defined, by a formula or by conditions, or the polar form that
+    /// conditions determine: F(t) = t^2.
     fn defined(&self, file: &SourceFile, head: Span) -> Option<Expr> {
         let formula = |statement: &Expr| {
             let Kind::Chain(left, links) = &statement.kind else { return None };
@@ -116,11 +136,18 @@ impl Session {
             let defines = matches!(link.rel, Rel::Eq | Rel::Define);
             (variable && free && defines).then(|| link.expr.clone().grouped())
         };
-        if let Ok(read) = self.read(file, head) {
-            return formula(&read);
+        if let Some(found) = self.read(file, head).ok().as_ref().and_then(formula) {
+            return Some(found);
         }
         let answers = self.clone().run_unknown(file, head, Equals::DefinesUnbound).ok().flatten()?;
-        formula(&answers.last()?.statement)
+        let statement = &answers.last()?.statement;
+        match &statement.kind {
+            // f := polar(…)
+            Kind::Chain(left, links) if matches!(left.kind, Kind::Name(_)) => {
+                Some(links.first()?.expr.clone())
+            }
+            _ => formula(statement),
+        }
     }
 
     /// The letter that a description begins with: f is the blossom of t^2.
@@ -259,6 +286,9 @@ fn put(formula: &mut Expr, letter: &str, object: &Expr) {
                 _ => callee,
             };
             let span = place.span;
+            let form = matches!(&object.kind, Kind::Apply(callee, _)
+                if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
+            let one = matches!(groups.as_slice(), [one] if one.len() == 1);
             // f(0, 1) of a curve of one parameter is a polar value.
             let curve = match &object.kind {
                 Kind::Apply(callee, _) => matches!(&callee.kind, Kind::Name(name) if name == "bezier"),
@@ -266,6 +296,8 @@ fn put(formula: &mut Expr, letter: &str, object: &Expr) {
             };
             **place = match several && curve {
                 true => call("polar", vec![object.clone()], span),
+                // F(t) where f is its polar form
+                false if form && one => call("diagonal", vec![object.clone()], span),
                 false => Expr { span, ..object.clone() },
             };
         }

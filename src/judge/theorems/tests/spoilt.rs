@@ -10,7 +10,7 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::finding::blank;
 use crate::judge::page::object::{Declared, Object, Sort};
-use crate::judge::page::statement::{Chain, Place, Said, Side, Statement};
+use crate::judge::page::statement::{Chain, Layout, Place, Said, Side, Statement};
 use crate::judge::theorems::entry::{Equation, Theorem, known};
 use crate::judge::theorems::fit::Standing;
 use crate::judge::written::names::{Head, walk};
@@ -72,7 +72,7 @@ fn replace_all(expr: &mut Expr, old: &Expr, new: &Expr) {
 }
 
 fn place() -> Place {
-    Place { formula: 1, ..Place::default() }
+    Place::from(Layout { formula: 1, ..Layout::default() })
 }
 
 /// A claim in a section that speaks of all that a theorem is about.
@@ -143,7 +143,7 @@ fn letters_that_mean_something_else_are_no_instance() {
             let mut checker = Checker::new(&SourceFile::new("page", ""), &Limits::default(), &[]);
             let name = Expr::from(Kind::Subscript(Box::new(Expr::name(&head.base)), vec![Expr::name("i")]));
             let object = Rc::new(Object { names: vec![name], ..Object::new(Sort::Knots) });
-            let before = Place { formula: 0, ..place() };
+            let before = Place::default();
             Rc::make_mut(&mut checker.context).declare(Declared { object, place: before, line: 1 });
             tried += 1;
             assert_eq!(
