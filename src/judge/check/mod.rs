@@ -154,6 +154,7 @@ impl Checker {
                     if join || statement.role == Some(Role::Equivalent) {
                         self.by_the_field(chain, statement, &mut findings, before);
                     }
+                    self.warn_of_weights(chain, statement, &mut findings);
                     self.findings.extend(findings);
                     return;
                 }
@@ -245,6 +246,7 @@ impl Checker {
         self.as_supposed(chain, statement, &mut findings);
         self.by_equations(chain, statement, &mut findings, before);
         self.as_said_before(chain, statement, &mut findings, before);
+        self.warn_of_weights(chain, statement, &mut findings);
         Ok(findings)
     }
 

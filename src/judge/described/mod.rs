@@ -13,3 +13,4 @@ mod follows;
 mod insertion;
 pub(in crate::judge) mod meanings;
 mod tables;
+mod weights;

@@ -140,6 +140,11 @@ impl Letters {
         matches!(&expr.kind, Kind::Name(letter) if self.bold.contains(letter))
     }
 
+    /// Whether the curve or the points with this letter are written bold.
+    pub fn is_bold(&self, letter: &str) -> bool {
+        self.bold.contains(letter)
+    }
+
     fn look(&mut self, expr: &Expr) {
         match &expr.kind {
             Kind::Accent(Accent::Bold, inner) => {
