@@ -15,6 +15,7 @@ mod loosely;
 mod notations;
 mod objects;
 mod reading;
+mod senses;
 mod taking;
 mod utterance;
 mod values;
@@ -129,6 +130,13 @@ impl Reader<'_> {
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
         }
+        if let Some(claim) = claimed.as_ref().and_then(|claimed| {
+            let variables = asked.items.first().map_or_else(Vec::new, |of| self.variables(of));
+            let variables: Vec<Expr> = variables.iter().map(symbol_expr).collect();
+            apposition::is_polar_of(claimed, &asked, &variables)
+        }) {
+            return Ok(Some(claim));
+        }
         if let Some(laws) = claimed.as_ref().and_then(|claimed| self.is_form_of(claimed, &asked)) {
             return Ok(Some(laws));
         }
@@ -207,22 +215,9 @@ impl Reader<'_> {
         }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
         self.find_subject(&mut asked);
-        // The power form of a spline is that of its pieces.
-        if let [Draft { builtin: spline, .. }, outer] = asked.drafts.as_mut_slice()
-            && (spline.name, outer.builtin.name) == ("bspline", "expand")
-            && let Some(pieces) = builtin("power_pieces")
-        {
-            outer.builtin = pieces;
-        }
-        // The antiderivative of a curve is a curve.
-        if let [Draft { builtin: curve, .. }, outer] = asked.drafts.as_mut_slice()
-            && (curve.name, outer.builtin.name) == ("bezier", "integrate")
-            && ["antideriv", "stammf", "primitiv"]
-                .iter()
-                .any(|word| self.file.slice(outer.phrase).to_lowercase().starts_with(word))
-            && let Some(primitive) = builtin("antiderivative")
-        {
-            outer.builtin = primitive;
+        self.in_sense_of_object(&mut asked);
+        if let Some(area) = self.area_under_curve(&asked) {
+            return Ok(Some(area));
         }
         if let Some(difference) = self.divided_difference(&asked) {
             return Ok(Some(difference));
@@ -285,9 +280,11 @@ impl Reader<'_> {
                     let polar = asked.drafts.last().is_some_and(|draft| draft.builtin.name == "polar");
                     let of_form = |draft: &Draft| matches!(draft.builtin.name, "laws" | "diagonal");
                     let form = asked.drafts.last().is_some_and(of_form);
+                    let of_formula = asked.drafts.last().is_some_and(Draft::is_of_a_formula);
                     for span in spans {
                         // u v is a product here, no list.
-                        if form {
+                        if form || of_formula && lists::is_product(self.file.slice(span.shifted(self.start)))
+                        {
                             asked.items.push(self.with_products(self.one(span)?));
                             continue;
                         }
@@ -446,26 +443,6 @@ impl Reader<'_> {
             Some(right) => equation(formula, right),
             None => formula,
         }))
-    }
-
-    /// The length of a control polygon is none of its curve.
-    fn of_polygon(&self, asked: &Utterance) -> Option<Diagnostic> {
-        let draft = asked.drafts.iter().find(|draft| draft.builtin.name == "arc_length")?;
-        let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
-        let own = match asked.items.as_slice() {
-            [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
-            items => draft::list(items.to_vec()),
-        };
-        let points = crate::language::write::text(&own);
-        ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(
-            || {
-                Diagnostic::error(Code::Usage, "the length of the polygon, or of its curve?")
-                    .at(draft.phrase)
-                    .reason("a polygon is as long as its edges together")
-                    .hint(format!("of the polygon: polygon_length({points})"))
-                    .hint(format!("of the curve: arc_length(bezier({points}))"))
-            },
-        )
     }
 
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {

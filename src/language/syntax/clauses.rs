@@ -3,6 +3,7 @@
 
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::asking::{self, Copula};
+use crate::language::lexicon::phrases::{Phrase, phrase};
 use crate::language::lexicon::words;
 
 /// A definition in words, taken apart.
@@ -32,7 +33,9 @@ pub(crate) fn clause(text: &str) -> Option<Clause<'_>> {
     let name_start = at;
     at += text.piece(at..).chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
     let name = text.piece(name_start..at);
-    if name.is_empty() || words::is_prose(name) {
+    // where do they meet
+    let verb = name.chars().count() > 1 && matches!(phrase(name, &|_| None), Some((Phrase::Is, _)));
+    if name.is_empty() || words::is_prose(name) || verb {
         return None;
     }
     if dollar > 0 {

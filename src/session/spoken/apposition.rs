@@ -1,11 +1,14 @@
 //! What is named beside its own notation: the divided difference f[a, b], the blossom p(a, b, c); names and values said in
 //! another way than a function takes them.
 
+use std::collections::BTreeSet;
+
 use super::Read;
 use super::draft::{Draft, list};
+use super::lists;
 use super::utterance::Utterance;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
@@ -116,24 +119,61 @@ pub(super) fn is_polar(claimed: &Expr, asked: &Utterance) -> Option<Expr> {
     if builtin.name != "polar" || !asked.items.is_empty() || !asked.said.is_empty() {
         return None;
     }
+    let (letters, formula) = match signature(claimed) {
+        Some((letters, formula)) => (letters.to_vec(), formula),
+        None if matches!(claimed.kind, Kind::Chain(..)) => return None,
+        None => (lists::letters(claimed, &Expr::int(0)), claimed),
+    };
+    let name = |letter: &Expr| matches!(letter.kind, Kind::Name(_) | Kind::Subscript(..));
+    if letters.len() < 2 || !letters.iter().all(name) {
+        return None;
+    }
+    let used: BTreeSet<String> = letters.iter().chain([formula]).flat_map(bases).collect();
+    let free = ["t", "x", "u", "z"].into_iter().find(|letter| !used.contains(*letter))?;
+    let variable = Expr { span: formula.span, ..Expr::name(free) };
+    let by: Vec<(Expr, Expr)> = letters.iter().map(|letter| (letter.clone(), variable.clone())).collect();
+    let diagonal = formula.with_parts(&by);
+    Some(call("laws", vec![formula.clone(), list(letters), diagonal], claimed.span))
+}
+
+/// The arguments and the formula of f(u, v) = u v.
+pub(super) fn signature(claimed: &Expr) -> Option<(&[Expr], &Expr)> {
     let Kind::Chain(left, links) = &claimed.kind else { return None };
-    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(_, groups)) =
+    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(callee, groups)) =
         (links.as_slice(), &left.kind)
     else {
         return None;
     };
-    let [arguments] = groups.as_slice() else { return None };
-    let letters: Vec<&str> = arguments
-        .iter()
-        .map(|argument| match &argument.kind {
-            Kind::Name(name) => Some(name.as_str()),
-            _ => None,
-        })
-        .collect::<Option<_>>()?;
-    let t = Expr { span: formula.span, ..Expr::name("t") };
-    let diagonal = letters.iter().fold(formula.clone(), |formula, letter| formula.with_name(letter, &t));
-    let arguments = vec![formula.clone(), list(arguments.clone()), diagonal];
-    (letters.len() > 1 && !letters.contains(&"t")).then(|| call("laws", arguments, claimed.span))
+    match (&callee.kind, groups.as_slice()) {
+        (Kind::Name(_), [arguments]) => Some((arguments, formula)),
+        _ => None,
+    }
+}
+
+/// The claim that f(u, v) = u v is the polar form of something, or f((x_1, y_1), (x_2, y_2)) = x_1 x_2 that of something in
+/// several variables.
+pub(super) fn is_polar_of(claimed: &Expr, asked: &Utterance, variables: &[Expr]) -> Option<Expr> {
+    let ([Draft { builtin, .. }], [of], []) =
+        (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+    else {
+        return None;
+    };
+    let (arguments, formula) = signature(claimed).filter(|_| builtin.name == "polar")?;
+    let span = claimed.span;
+    let degree = Expr { span, ..Expr::int(i64::try_from(arguments.len()).ok()?) };
+    let several = arguments.iter().all(|argument| {
+        matches!(argument.kind, Kind::Tuple(_))
+            && argument.items().is_some_and(|own| own.len() == variables.len())
+    });
+    let form = match several {
+        true => {
+            let own = vec![of.clone(), list(variables.to_vec()), named("degree", degree)];
+            call("polar_total", own, span)
+        }
+        false => call("polar", vec![of.clone(), named("degree", degree)], span),
+    };
+    let form = applied(form, arguments.to_vec(), span);
+    Some(Expr { span, ..Expr::relation(form, Rel::Eq, formula.clone()) })
 }
 
 /// Refuses points without rows for a surface that has a net of them.

@@ -407,6 +407,12 @@ fn fit(said: &Said, parameters: &[Parameter], place: usize, curve: bool) -> Opti
         };
         return kind.filter(|_| fits).map(|values| (STRONG + i32::from(own) + needed, values));
     }
+    // on [1, 2]: an interval, no control points
+    let interval = matches!(said.label, Some(Label::Over | Label::In))
+        && matches!(said.items.as_slice(), [Expr { kind: Kind::List(ends), .. }] if ends.len() == 2);
+    if interval && !matches!(parameter.kind, Takes::Interval | Takes::Variables) {
+        return None;
+    }
     let values = match parameter.need {
         Need::Many(..) => said
             .items

@@ -171,6 +171,13 @@ impl Draft {
         said.iter().position(subject).map_or_else(Vec::new, |at| said.remove(at).items)
     }
 
+    /// Whether its first argument is one formula, no list.
+    pub(super) fn is_of_a_formula(&self) -> bool {
+        self.builtin.parameters.first().is_some_and(|first| {
+            !is_list(first.kind) && !matches!(first.kind, Takes::Curve | Takes::Geometry | Takes::Spline)
+        })
+    }
+
     /// Whether formulas are the coordinates of a curve that is wanted: the curve (t, t^2).
     fn wants_coordinates(&self, items: &[Expr]) -> bool {
         let of_curve = self.builtin.on_curve.is_some_and(|own| own.parameters.len() < 3)
@@ -195,7 +202,7 @@ impl Draft {
                 let simple = |item: &Expr| {
                     number(item) || matches!(item.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Div(..))
                 };
-                let numbers = self.builtin.name == "derivative"
+                let numbers = matches!(self.builtin.name, "derivative" | "integrate")
                     && (items.iter().all(number) || items.len() > 2 && items.iter().all(simple));
                 items.len() > 1 && (is_points(items) || numbers)
             }

@@ -189,6 +189,15 @@ impl Equation {
     }
 }
 
+/// Whether single letters stand beside each other, perhaps after a number, with only blanks between them: `2 x y`. Where a
+/// formula is wanted they are a product.
+pub(super) fn is_product(text: &str) -> bool {
+    let mut words = text.split_whitespace().peekable();
+    words.next_if(|word| word.bytes().all(|byte| byte.is_ascii_digit()));
+    let letter = |word: &str| word.chars().count() == 1 && word.starts_with(char::is_alphabetic);
+    words.peek().is_some() && words.all(letter)
+}
+
 /// Where names with their values stand that have only blanks between them: `b200=1 b020=3`.
 pub(super) fn members(text: &str) -> Vec<(usize, usize)> {
     let mut found = Vec::new();

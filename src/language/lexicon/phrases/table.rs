@@ -132,7 +132,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Function("inflections"), "point~ d'inflexion"),
     (Function("intersections"), "intersections"),
     (Function("double_points"), "point~ double"),
-    (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
+    (
+        Command("intersections"),
+        "intersect | intersects | meet | meets | schneide | schneidet | trifft | intersecte | rencontre | intersecta | corta | interseca",
+    ),
     (
         Function("continuity"),
         "join | joins | joint | meet smoothly | continuous | stetig | glatt | übergang | smooth | smoothly | join smoothly | continues | continuas",
