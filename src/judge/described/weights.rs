@@ -9,6 +9,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::instances::tally::Failure;
 use crate::judge::known::checker::Checker;
@@ -50,7 +51,8 @@ impl Checker {
         let sum = Chain { sides: vec![side(Expr::int(1), left), side(weights, right)], ..chain.clone() };
         let setting = self.setting(&sum, &statement.place, None);
         let sides = [&sum.sides[0].expr, &sum.sides[1].expr];
-        let outcomes = self.trial(&setting, &sides, &[Rel::Eq], Choices::default()).run();
+        let trial = || self.trial(&setting, &sides, &[Rel::Eq], Choices::default()).run();
+        let Ok(outcomes) = budget::run(&self.limits, trial) else { return };
         let fails = &outcomes.tallies[0].fails;
         let zero = |failure: &Failure| {
             failure.right.as_rational().is_some_and(|sum| num_traits::Zero::is_zero(&sum))

@@ -134,7 +134,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Function("double_points"), "point~ double"),
     (
         Command("intersections"),
-        "intersect | intersects | meet | meets | schneide | schneidet | trifft | intersecte | rencontre | intersecta | corta | interseca",
+        "intersect | intersects | meet | meets | schneide | schneidet | trifft | intersecte | rencontre | intersecta | interseca",
     ),
     (
         Function("continuity"),
