@@ -80,12 +80,17 @@ impl Checker {
         let mut several = false;
         walk(right, &mut |part| several |= matches!(part.kind, Kind::Big { .. }));
         gather(right, &mut members);
-        let points = |base: &str| self.are_points(base, letter_of(base), &statement.place);
+        let letters: BTreeSet<&str> = members.iter().map(|(base, _)| letter_of(base)).collect();
+        // b_1 = b_0 + d_0/3 in bold letters: the d_i may be vectors.
+        let alone = letters.len() == 1 && letters.contains(letter_of(&own.base));
+        let points = |base: &str| {
+            self.are_points(base, letter_of(base), &statement.place)
+                || alone && self.context.letters.is_bold(letter_of(base))
+        };
         several |= members.len() > 1;
         if !several || members.is_empty() || !members.iter().all(|(base, _)| points(base)) {
             return None;
         }
-        let letters: BTreeSet<&str> = members.iter().map(|(base, _)| letter_of(base)).collect();
         let new = [Topic::Subdivision, Topic::Elevation, Topic::Insertion, Topic::Casteljau, Topic::Scheme];
         let made = roles::listed(letter_of(&own.base)) == Some(Listed::Points)
             && new.into_iter().any(|topic| statement.topics.has(topic));
@@ -141,14 +146,10 @@ impl Checker {
         };
         let combines =
             |part: &Expr| matches!(&part.kind, Kind::Big { body, .. } if body.has(&own) && body.has(&basis));
-        let bold = self.context.letters.is_bold(letter) && roles::listed(letter) == Some(Listed::Points);
-        told || bold
-            || self.context.definitions.iter().any(|definition| match &definition.body {
-                Body::Formula(body) => {
-                    place.knows(&definition.place, definition.assumed) && body.has(&combines)
-                }
-                Body::Value(_) => false,
-            })
+        told || self.context.definitions.iter().any(|definition| match &definition.body {
+            Body::Formula(body) => place.knows(&definition.place, definition.assumed) && body.has(&combines),
+            Body::Value(_) => false,
+        })
     }
 }
 
