@@ -134,8 +134,6 @@ impl Checker {
         }
         forms.dedup();
         let mut doubt = false;
-        // A step with a ratio α is right whatever α is; with what the page says of α it may be wrong.
-        let mut right_as_it_stands: Option<(Finding, Option<Agreement>)> = None;
         for form in &forms {
             let [left, right] = form;
             let claim = self.claim(left, right, chain, &statement.place);
@@ -150,18 +148,13 @@ impl Checker {
                 Some(Some(found)) => {
                     let open =
                         !doubt && !self.is_function_of_its_own(&chain.sides[first].expr, &statement.place);
-                    let refuted = found.0.verdict == Verdict::Refuted;
-                    match right_as_it_stands {
-                        None if !refuted && !doubt => right_as_it_stands = Some(found),
-                        None => return Some(found).filter(|_| open || !refuted),
-                        Some(first) => return Some(if refuted && open { found } else { first }),
-                    }
+                    return Some(found).filter(|(found, _)| open || found.verdict != Verdict::Refuted);
                 }
                 Some(None) => doubt = true,
                 None => {}
             }
         }
-        right_as_it_stands
+        None
     }
 
     /// d_1 = f(-1, 0, 1), where nothing on the page uses d yet: a value of f gets a name, whatever the field calls so.
@@ -199,9 +192,7 @@ impl Checker {
         let mut result = side.clone();
         let head = Head::of(side).filter(|head| head.arguments.is_none());
         let tells = |part: &Expr| matches!(part.kind, Kind::Subscript(..) | Kind::Matrix(..));
-        let near =
-            |head: &Head| self.context.visible(&head.base, place).next().is_some_and(|(_, _, near)| near);
-        let given = |head: &Head| own.as_ref() != Some(&head.base) && near(head);
+        let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
         if let Some(head) = head.filter(given)
             && let Some(value) = self.unfolded(side, place, Choices::default())
             // A count stays as it is, the midpoint m and the matrix M do not.
