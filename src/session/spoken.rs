@@ -130,11 +130,10 @@ impl Reader<'_> {
         if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
             return Ok(Some(laws));
         }
-        if let Some(claim) = claimed.as_ref().and_then(|claimed| {
-            let variables = asked.items.first().map_or_else(Vec::new, |of| self.variables(of));
-            let variables: Vec<Expr> = variables.iter().map(symbol_expr).collect();
-            apposition::is_polar_of(claimed, &asked, &variables)
-        }) {
+        let variables = |of: &Expr| self.variables(of).iter().map(symbol_expr).collect();
+        if let Some(claim) =
+            claimed.as_ref().and_then(|claimed| apposition::is_polar_of(claimed, &asked, &variables))
+        {
             return Ok(Some(claim));
         }
         if let Some(laws) = claimed.as_ref().and_then(|claimed| self.is_form_of(claimed, &asked)) {

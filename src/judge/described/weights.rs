@@ -19,7 +19,7 @@ use crate::judge::page::finding::{Finding, Verdict};
 use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Place, Side, Statement};
 use crate::judge::page::topic::Topic;
-use crate::judge::written::names::{Head, is_index_letter, walk};
+use crate::judge::written::names::{Head, is_index_letter, letter_of, walk};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles::{self, Listed};
 use crate::language::write;
@@ -80,41 +80,40 @@ impl Checker {
         let mut several = false;
         walk(right, &mut |part| several |= matches!(part.kind, Kind::Big { .. }));
         gather(right, &mut members);
-        let letters: BTreeSet<&str> = members.iter().map(|(base, _)| letter_of(base)).collect();
+        let letters: BTreeSet<&str> = members.iter().map(|(base, _)| letter(base)).collect();
         // b_1 = b_0 + d_0/3 in bold letters: the d_i may be vectors.
-        let alone = letters.len() == 1 && letters.contains(letter_of(&own.base));
+        let alone = letters.len() == 1 && letters.contains(letter(&own.base));
         let points = |base: &str| {
-            self.are_points(base, letter_of(base), &statement.place)
-                || alone && self.context.letters.is_bold(letter_of(base))
+            self.are_points(base, letter(base), &statement.place)
+                || alone && self.context.letters.is_bold(letter(base))
         };
         several |= members.len() > 1;
         if !several || members.is_empty() || !members.iter().all(|(base, _)| points(base)) {
             return None;
         }
         let new = [Topic::Subdivision, Topic::Elevation, Topic::Insertion, Topic::Casteljau, Topic::Scheme];
-        let made = roles::listed(letter_of(&own.base)) == Some(Listed::Points)
+        let made = roles::listed(letter(&own.base)) == Some(Listed::Points)
             && new.into_iter().any(|topic| statement.topics.has(topic));
-        if !letters.contains(letter_of(&own.base)) && !points(&own.base) && !made {
+        if !letters.contains(letter(&own.base)) && !points(&own.base) && !made {
             return None;
         }
         let weights = with_ones(right, &letters);
+        let spacing =
+            |name: &str| matches!(roles::listed(name), Some(Listed::Knots | Listed::Lengths | Listed::Nodes));
+        let number = |name: &str| {
+            is_index_letter(name)
+                || is_variable(name)
+                || roles::is_degree(name)
+                || matches!(name, "a" | "b" | "c" | "d" | "binomial")
+        };
         let mut known = true;
         walk(&weights, &mut |part| {
             known &= match &part.kind {
                 // Knots and lengths, but no weights of a rational curve and no matrices
-                Kind::Subscript(..) | Kind::Upper(..) => Head::of(part).is_some_and(|head| {
-                    matches!(roles::listed(&head.base), Some(Listed::Knots | Listed::Lengths | Listed::Nodes))
-                }),
-                Kind::Name(name) => {
-                    is_index_letter(name)
-                        || roles::is_degree(name)
-                        || is_variable(name)
-                        || matches!(
-                            roles::listed(name),
-                            Some(Listed::Knots | Listed::Lengths | Listed::Nodes)
-                        )
-                        || matches!(name.as_str(), "a" | "b" | "c" | "d" | "binomial")
+                Kind::Subscript(..) | Kind::Upper(..) => {
+                    Head::of(part).is_some_and(|head| spacing(&head.base))
                 }
+                Kind::Name(name) => number(name) || spacing(name),
                 Kind::Accent(..) | Kind::Prime(..) | Kind::Matrix(..) => false,
                 Kind::List(_) | Kind::Tuple(_) | Kind::Cases(_) => false,
                 _ => true,
@@ -153,10 +152,9 @@ impl Checker {
     }
 }
 
-/// The letter of a name without its marks: b for hat b.
-fn letter_of(base: &str) -> &str {
-    let bare = base.rsplit(' ').next().unwrap_or(base);
-    bare.split(['(', '\'']).next().unwrap_or(bare)
+/// The letter of a name without its marks and primes: b for hat b and b'.
+fn letter(base: &str) -> &str {
+    letter_of(base).trim_end_matches('\'')
 }
 
 /// The members of families in a formula whose letters stand for points, each once.
@@ -171,12 +169,12 @@ fn gather(expr: &Expr, found: &mut Vec<(String, Expr)>) {
 
 fn is_point(head: &Head) -> bool {
     let basis = head.is_bernstein() || head.is_a(Family::Spline);
-    !head.lower.is_empty() && !basis && roles::listed(letter_of(&head.base)) == Some(Listed::Points)
+    !head.lower.is_empty() && !basis && roles::listed(letter(&head.base)) == Some(Listed::Points)
 }
 
 /// A formula with 1 for each member of some families.
 fn with_ones(expr: &Expr, letters: &BTreeSet<&str>) -> Expr {
-    if Head::of(expr).is_some_and(|head| is_point(&head) && letters.contains(letter_of(&head.base))) {
+    if Head::of(expr).is_some_and(|head| is_point(&head) && letters.contains(letter(&head.base))) {
         return Expr { span: expr.span, ..Expr::int(1) };
     }
     let mut result = expr.clone();

@@ -4,14 +4,13 @@ use crate::formula::Expr;
 use crate::judge::page::context::Context;
 use crate::judge::page::object::Sort;
 use crate::judge::page::statement::Place;
-use crate::judge::written::names::Head;
+use crate::judge::written::names::{Head, letter_of};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles::{Listed, is_variable, listed};
 
 /// What a letter with an index stands for in the table, and usually elsewhere. Nodes are knots here.
 fn usual(letter: &str) -> Option<Listed> {
-    let bare = letter.rsplit(' ').next().unwrap_or(letter).split('(').next()?;
-    match listed(bare)? {
+    match listed(letter_of(letter))? {
         Listed::Nodes => Some(Listed::Knots),
         Listed::Values => None,
         other => Some(other),

@@ -425,6 +425,12 @@ pub fn walk<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     expr.for_each_child(&mut |child| walk(child, visit));
 }
 
+/// The letter of a name without its marks: b for "hat b" and for b(1).
+pub(in crate::judge) fn letter_of(base: &str) -> &str {
+    let bare = base.rsplit(' ').next().unwrap_or(base);
+    bare.split('(').next().unwrap_or(bare)
+}
+
 /// Whether a formula is a part of another one.
 pub fn contains(whole: &Expr, sought: &Expr) -> bool {
     let mut found = false;

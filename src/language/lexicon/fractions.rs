@@ -1,9 +1,9 @@
-//! Numbers in words: one third, drei Viertel, 三分之一, four.
+//! Numbers in words: one third, drei Viertel, 三分之一, four; and words for a formula: the unit interval, the x axis.
 
 use super::letters::is_ideograph;
 use super::phrases;
 
-/// Words, and the digits in their place.
+/// Words, and the digits or the formula in their place.
 const FRACTIONS: &[(&str, &str)] = &[
     ("one half", "1/2"),
     ("a half", "1/2"),

@@ -101,26 +101,28 @@ impl Session {
             _ => (Span::new(head.start + syntax::after_introduction(text), head.end), None),
         };
         let spoken = self.spoken_data(file, body);
-        let has = |object: &Expr, wrong: bool| self.has_values(object, wrong);
-        let object = spoken
-            .clone()
-            .filter(|object| has(object, false))
-            .or_else(|| self.defined(file, head).filter(|object| has(object, false)))
-            .or_else(|| spoken.filter(|object| has(object, true)))?;
-        Some((object, name))
+        let has = spoken.as_ref().map(|object| self.has_values(object));
+        let defined = || self.defined(file, head).filter(|object| self.has_values(object) == Some(true));
+        let object = match has {
+            Some(Some(true)) => spoken,
+            // What is wrong with the object is told as the answer.
+            Some(None) => defined().or(spoken),
+            _ => defined(),
+        };
+        Some((object?, name))
     }
 
-    /// Whether a formula gives something of which there are values, or something is wrong with it, if that counts.
-    fn has_values(&self, object: &Expr, wrong: bool) -> bool {
+    /// Whether a formula gives something of which there are values; `None` if something is wrong with it. What is missing may
+    /// stand behind it.
+    fn has_values(&self, object: &Expr) -> Option<bool> {
         match &self.clone().evaluate(&mut object.clone(), Equals::Claims) {
-            Ok(Outcome { value, .. }) => match value {
+            Ok(Outcome { value, .. }) => Some(match value {
                 Value::Scalar(formula) => formula.variables().len() == 1,
                 Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_) => true,
                 Value::List(_) => true,
                 _ => false,
-            },
-            // What is wrong with the object is told as the answer; if something is missing, it may stand behind.
-            Err(problem) => wrong && problem.code != Code::Arity,
+            }),
+            Err(problem) => (problem.code == Code::Arity).then_some(false),
         }
     }
 

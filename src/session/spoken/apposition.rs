@@ -139,20 +139,24 @@ pub(super) fn is_polar(claimed: &Expr, asked: &Utterance) -> Option<Expr> {
 /// The arguments and the formula of f(u, v) = u v.
 pub(super) fn signature(claimed: &Expr) -> Option<(&[Expr], &Expr)> {
     let Kind::Chain(left, links) = &claimed.kind else { return None };
-    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(callee, groups)) =
+    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(_, groups)) =
         (links.as_slice(), &left.kind)
     else {
         return None;
     };
-    match (&callee.kind, groups.as_slice()) {
-        (Kind::Name(_), [arguments]) => Some((arguments, formula)),
+    match groups.as_slice() {
+        [arguments] => Some((arguments, formula)),
         _ => None,
     }
 }
 
 /// The claim that f(u, v) = u v is the polar form of something, or f((x_1, y_1), (x_2, y_2)) = x_1 x_2 that of something in
 /// several variables.
-pub(super) fn is_polar_of(claimed: &Expr, asked: &Utterance, variables: &[Expr]) -> Option<Expr> {
+pub(super) fn is_polar_of(
+    claimed: &Expr,
+    asked: &Utterance,
+    variables: &dyn Fn(&Expr) -> Vec<Expr>,
+) -> Option<Expr> {
     let ([Draft { builtin, .. }], [of], []) =
         (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
     else {
@@ -161,15 +165,11 @@ pub(super) fn is_polar_of(claimed: &Expr, asked: &Utterance, variables: &[Expr])
     let (arguments, formula) = signature(claimed).filter(|_| builtin.name == "polar")?;
     let span = claimed.span;
     let degree = Expr { span, ..Expr::int(i64::try_from(arguments.len()).ok()?) };
-    let several = arguments.iter().all(|argument| {
-        matches!(argument.kind, Kind::Tuple(_))
-            && argument.items().is_some_and(|own| own.len() == variables.len())
-    });
-    let form = match several {
-        true => {
-            let own = vec![of.clone(), list(variables.to_vec()), named("degree", degree)];
-            call("polar_total", own, span)
-        }
+    let pairs = arguments.iter().all(|argument| matches!(argument.kind, Kind::Tuple(_)));
+    let variables = if pairs { variables(of) } else { Vec::new() };
+    let fits = |argument: &Expr| argument.items().is_some_and(|own| own.len() == variables.len());
+    let form = match pairs && arguments.iter().all(fits) {
+        true => call("polar_total", vec![of.clone(), list(variables), named("degree", degree)], span),
         false => call("polar", vec![of.clone(), named("degree", degree)], span),
     };
     let form = applied(form, arguments.to_vec(), span);

@@ -2,9 +2,9 @@
 
 use super::draft::Draft;
 use super::utterance::Utterance;
-use super::{Reader, lists};
+use super::{Reader, apposition, lists};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::formula::{Expr, Kind, Rel, applied, call};
 use crate::judge::written::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
@@ -27,11 +27,9 @@ impl Reader<'_> {
         }
         let item = &self.with_products(item.clone());
         let (form, named) = match &item.kind {
-            Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
-                (Kind::Apply(_, groups), [Link { rel: Rel::Eq | Rel::Define, expr, .. }]) => {
-                    (expr.clone(), groups.first().cloned())
-                }
-                _ => return Ok(None),
+            Kind::Chain(..) => match apposition::signature(item) {
+                Some((letters, form)) => (form.clone(), Some(letters.to_vec())),
+                None => return Ok(None),
             },
             Kind::Name(_) | Kind::Apply(..) => return Ok(None),
             _ => (item.clone(), None),

@@ -1,7 +1,7 @@
 //! What the word for a function means of the object that it is asked of: the power form of a spline, the area under a curve.
 
 use super::Reader;
-use super::draft::{self, Draft, list};
+use super::draft::{Draft, list};
 use super::utterance::Utterance;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, call};
@@ -48,7 +48,7 @@ impl Reader<'_> {
         let text = self.file.slice(Span::new(self.start, self.file.text().len())).to_lowercase();
         let own = match asked.items.as_slice() {
             [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
-            items => draft::list(items.to_vec()),
+            items => list(items.to_vec()),
         };
         let points = crate::language::write::text(&own);
         ["polygon", "polygone", "polígono", "poligono", "多边形"].iter().any(|word| text.contains(word)).then(
