@@ -299,8 +299,11 @@ impl Trial<'_> {
         if self.sides.iter().any(|side| has_cases_of_variables(side)) {
             return !self.sides.iter().any(|side| indexed(side));
         }
+        let free = !self.sides.iter().any(|side| indexed(side));
         match defined.map(|(_, definition, _)| &definition.body) {
-            Some(Body::Formula(body)) => !indexed(body) && !self.sides.iter().any(|side| indexed(side)),
+            Some(Body::Formula(body)) => {
+                free && (!indexed(body) || self.sides.iter().any(|side| is_shifted(side)))
+            }
             _ => false,
         }
     }
@@ -315,6 +318,20 @@ fn number_of_variable(condition: &Expr) -> Option<Rational> {
         }
         _ => None,
     }
+}
+
+/// Whether a B-spline is moved by a number: N_{0,p}(u - 1) has a meaning of its own for integer knots only.
+fn is_shifted(side: &Expr) -> bool {
+    side.has(&|part: &Expr| {
+        let Kind::Apply(callee, groups) = &part.kind else { return false };
+        let [group] = groups.as_slice() else { return false };
+        let [Expr { kind: Kind::Add(terms), .. }] = group.as_slice() else { return false };
+        let spline = Head::of(callee).is_some_and(|head| head.base == families::SPLINE);
+        let [first, second] = terms.as_slice() else { return false };
+        spline
+            && matches!(&first.expr.kind, Kind::Name(name) if is_variable(name))
+            && matches!(second.expr.kind, Kind::Number(_))
+    })
 }
 
 /// Whether cases in a formula depend on where a variable lies.

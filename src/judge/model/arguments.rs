@@ -90,20 +90,25 @@ impl Model {
         let mut values = Vec::new();
         for (factor, _) in factors {
             match repetition(factor) {
-                Some((base, exponent)) => {
-                    let count = machine.eval_int(exponent)?;
-                    let count = usize::try_from(count).map_err(|_| {
-                        Diagnostic::error(Code::Domain, format!("{count} copies make no sense"))
-                            .at(factor.span)
-                    })?;
-                    crate::budget::charge_terms(count as u64);
-                    let value = self.argument(machine, base)?;
-                    values.extend(std::iter::repeat_n(value, count));
-                }
+                Some(_) => values.extend(self.copies(machine, factor)?),
                 None => values.push(self.argument(machine, factor)?),
             }
         }
         Ok(Some(values))
+    }
+
+    /// The values that a power stands for: t^3, (t + h)^{(m)}.
+    pub(super) fn copies(&self, machine: &mut Machine, factor: &Expr) -> Result<Vec<Value>, Diagnostic> {
+        let Some((base, exponent)) = repetition(factor) else {
+            return Ok(vec![self.argument(machine, factor)?]);
+        };
+        let count = machine.eval_int(exponent)?;
+        let count = usize::try_from(count).map_err(|_| {
+            Diagnostic::error(Code::Domain, format!("{count} copies make no sense")).at(factor.span)
+        })?;
+        crate::budget::charge_terms(count as u64);
+        let value = self.argument(machine, base)?;
+        Ok(vec![value; count])
     }
 }
 
@@ -124,7 +129,7 @@ fn is_single(expr: &Expr) -> bool {
 }
 
 /// Whether its exponent can only count: nobody writes f(r^{n-i}, s^i) for powers.
-fn is_counted(factor: &Expr) -> bool {
+pub(super) fn is_counted(factor: &Expr) -> bool {
     let symbolic = power(factor).is_some_and(|(_, exponent)| !bases(exponent).is_empty());
     symbolic || matches!(factor.kind, Kind::Upper(..))
 }

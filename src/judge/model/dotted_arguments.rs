@@ -1,6 +1,7 @@
 //! Dots and braces among arguments: t_1, …, t_n, and t, …, t over a brace with a count.
 
 use super::Model;
+use super::arguments::is_counted;
 use super::calls::unclear;
 use super::dots::run;
 use super::steps::not_yet_named;
@@ -21,11 +22,18 @@ impl Model {
     ) -> Result<Vec<Value>, Diagnostic> {
         // First the braces, which say how many.
         let mut pieces: Vec<Piece> = Vec::with_capacity(items.len());
-        for item in items {
+        let is_dots = |at: Option<usize>| {
+            at.and_then(|at| items.get(at)).is_some_and(|item| item.kind == Kind::Ellipsis)
+        };
+        for (at, item) in items.iter().enumerate() {
             match &item.kind {
                 Kind::Brace(list, Some(label)) => {
                     let values = self.braced(machine, list, label, expr)?;
                     pieces.push(Piece::Values(values));
+                }
+                // f(t^r, t_{i+1}, …, t_{i+n-r}), but not f(1, t, t^2, …, t^n)
+                _ if is_counted(item) && !is_dots(Some(at + 1)) && !is_dots(at.checked_sub(1)) => {
+                    pieces.push(Piece::Values(self.copies(machine, item)?));
                 }
                 Kind::Brace(list, None) => pieces.extend(list.iter().cloned().map(Piece::Item)),
                 _ => pieces.push(Piece::Item(item.clone())),

@@ -9,7 +9,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Definition, is_variable};
 use crate::judge::page::finding::{Finding, Verdict};
-use crate::judge::page::object::{Declared, Object};
+use crate::judge::page::object::{Declared, Object, Sort, UNNAMED};
 use crate::judge::page::statement::{Chain, Place, Statement, equates_values};
 use crate::judge::page::topic::Topic;
 use crate::judge::values::compare;
@@ -69,9 +69,40 @@ impl Checker {
     /// What the page says of what a relation speaks of, and what is not used.
     pub(in crate::judge) fn unused(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
         self.open_law(sides, place)
+            .or_else(|| self.form_of_a_part(sides, place))
             .or_else(|| self.changed_data(sides, place))
             .or_else(|| self.given_as_a_list(sides, place))
             .or_else(|| self.listed_beside(sides, place))
+    }
+
+    /// f(t, …, t) = s(t), where f is "the polar form of the polynomial that agrees with s there": what f has to do with s is said
+    /// in words.
+    fn form_of_a_part(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        let names: BTreeSet<String> = sides.into_iter().flat_map(bases).collect();
+        names.iter().find_map(|form| {
+            let told = self.context.object_called(form, place)?;
+            let of_any = match &told.object.of {
+                Some(Expr { kind: Kind::Name(of), .. }) => of.starts_with(UNNAMED),
+                of => of.is_none(),
+            };
+            if told.object.sort != Sort::PolarForm || !of_any {
+                return None;
+            }
+            let beside = self.context.heard.iter().filter(|(other, _)| other.group == told.place.group);
+            let mut named =
+                beside.filter_map(|(_, expr)| Head::of(expr)).filter(|own| own.arguments.is_none());
+            let has_formula = |name: &str| {
+                let mut known = self.context.visible(name, place);
+                known.any(|(_, own, _)| own.head.lower.is_empty() && own.head.arguments.is_some())
+            };
+            let other = named.find(|own| {
+                own.base != *form
+                    && own.lower.is_empty()
+                    && names.contains(&own.base)
+                    && has_formula(&own.base)
+            })?;
+            Some(format!("what {form} has to do with {} is not understood", other.base))
+        })
     }
 
     /// "With the weights (1, 1, 2) we find W(t) = …", where nothing else says what the w_i are.

@@ -190,6 +190,19 @@ impl Reader<'_> {
         }
     }
 
+    /// "F is regarded as a polynomial of degree n + 1": it is F that is spoken of, whatever was before.
+    pub(super) fn view(&mut self, from: usize, degree: Option<Expr>) {
+        let viewed = (0..from).rev().find_map(|at| self.formula_at(at));
+        let viewed = viewed.and_then(|number| self.said(number).first());
+        if let Some(name @ Expr { kind: Kind::Name(_), .. }) = viewed
+            && !matches!(self.talk.topic.as_slice(), [own] if own.same_as(name))
+        {
+            let name = name.clone();
+            self.talk.of(vec![name]);
+        }
+        self.talk.viewed = degree.map(|degree| (self.count, degree));
+    }
+
     /// Says what the referent is before a formula that speaks of what belongs to it.
     pub(super) fn introduce(&mut self, owners: &[Expr], number: usize) {
         let owned = |object: &mut Object| owners.iter().any(|owner| object.names[0].same_as(owner));

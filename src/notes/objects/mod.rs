@@ -310,7 +310,7 @@ impl<'a> Reader<'a> {
         }
         // "Regarded as a polynomial of degree 3"
         if object.names.is_empty() && object.is_function() && from > 0 && self.is(from - 1, &Word::As) {
-            self.talk.viewed = object.degree.map(|degree| (self.count, degree));
+            self.view(from, object.degree);
             return;
         }
         let subject = match named {

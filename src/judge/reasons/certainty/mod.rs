@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::instances::tally::{Failure, Tally};
 use crate::judge::known::checker::Checker;
-use crate::judge::page::context::{Definition, is_variable};
+use crate::judge::page::context::{Body, Definition, is_variable};
 use crate::judge::page::object::Sort;
 use crate::judge::page::statement::{Chain, Place, Role, Statement};
 use crate::judge::page::topic::Topic;
@@ -22,6 +22,7 @@ use crate::judge::values::evaluator;
 use crate::judge::values::inequality::{self, Range};
 use crate::judge::written::features::has_divided_differences;
 use crate::judge::written::names::{Head, bases, is_index_letter, underived, walk};
+use crate::language::lexicon::families;
 use crate::language::lexicon::roles::{is_degree, is_intermediate};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::number::Rational;
@@ -49,7 +50,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 21] = [
+        let rules: [fn(&Self) -> Option<String>; 22] = [
             Self::of_one_that_exists,
             Self::data_of_another,
             Self::join_of_any_degree,
@@ -67,6 +68,7 @@ impl Suspect<'_> {
             Self::of_another_piece,
             Self::of_one_size,
             Self::of_another_size,
+            Self::of_another_degree,
             Self::of_a_value_heard,
             Self::outside_of_its_interval,
             Self::outside_of_a_range,
@@ -193,6 +195,35 @@ impl Suspect<'_> {
         let (name, value) = said.last()?;
         let fails = said.iter().any(|(name, value)| fails_with(name, *value));
         (!fails).then(|| format!("it does not fail for {name} = {value}"))
+    }
+
+    /// C'(u) = Σ … N_{i,p-1}(u) for any p, where the page gives a C with N_{i,3} only: that is one of many.
+    fn of_another_degree(&self) -> Option<String> {
+        let degrees = |expr: &Expr| {
+            let mut found: Vec<(String, Expr)> = Vec::new();
+            walk(expr, &mut |part| {
+                if let Some(head) = Head::of(part)
+                    && families::is_family(&head.base)
+                    && let Some(degree) = head.upper.last().or(head.lower.get(1))
+                {
+                    found.push((head.base, degree.clone()));
+                }
+            });
+            found
+        };
+        let here: Vec<(String, Expr)> = self.sides().into_iter().flat_map(degrees).collect();
+        let name = self.used().find_map(|own| {
+            let Body::Formula(body) = &own.body else { return None };
+            let own_degrees = degrees(body);
+            let fixed = |(_, degree): &&(String, Expr)| matches!(degree.kind, Kind::Number(_));
+            let any = |(letter, _): &(String, Expr)| {
+                here.iter().any(|(other, degree)| other == letter && !bases(degree).is_empty())
+            };
+            let one = !own_degrees.is_empty() && own_degrees.iter().all(|pair| fixed(&pair) && any(pair));
+            one.then(|| own.head.base.clone())
+                .filter(|name| own_degrees.iter().all(|(letter, _)| letter != name))
+        })?;
+        Some(format!("a {name} of one degree is given, and this is said of any"))
     }
 
     /// "We evaluate at τ = 5/2. …": what holds there may be said of nothing else.
