@@ -7,12 +7,14 @@
 //!
 //! When in doubt it is prose: a formula that is missed says nothing, one that is made up is judged.
 
+mod tokens;
+
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::document::Style;
+use self::tokens::{Kind, Token, tokens};
+use crate::document::{Style, vocabulary};
 use crate::formula::source::Pieces;
-use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::lexicon::words::is_function_word;
 use crate::language::{latex, syntax};
 
@@ -46,7 +48,10 @@ pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
         if is_half(&tokens, at, segment.len()) {
             continue;
         }
-        for run in balanced(whole_parts(&tokens, at, segment)) {
+        let Some(whole) = without_labels(line, &tokens, at, whole_parts(&tokens, at, segment)) else {
+            continue;
+        };
+        for run in balanced(whole) {
             let first = continues
                 && run.first().is_some_and(|token| line.piece(..token.range.start).trim().is_empty());
             found.extend(formulas(line, run, first));
@@ -97,6 +102,57 @@ fn whole_parts<'a>(tokens: &[Token], at: usize, segment: &'a [Token]) -> &'a [To
     whole
 }
 
+/// A run without the numbers of formulas at its ends, `(2) a = b`, `a = b (3)`, and without that of what a word before it
+/// speaks of, `Theorem 5 (x + 2)^2 = …`; `None` where it may be a factor as well: `Thus 2 (x + 1) = …`.
+fn without_labels<'a>(line: &str, tokens: &[Token], at: usize, run: &'a [Token]) -> Option<&'a [Token]> {
+    let mut run = run;
+    if let Some(end) = label(run)
+        && run.get(end).is_some_and(|next| next.spaced && may_begin(next))
+    {
+        run = &run[end..];
+    }
+    let last =
+        (0..run.len()).rev().take(4).find(|&from| from > 0 && label(&run[from..]) == Some(run.len() - from));
+    if let Some(from) = last.filter(|&from| run[from].spaced) {
+        match run[from - 1].kind {
+            Kind::Number | Kind::Close(_) => run = &run[..from],
+            // f (3) is a value, a (3) a formula with its number.
+            Kind::Name | Kind::Article if line.piece(run[run.len() - 1].range.end..).trim().is_empty() => {
+                return None;
+            }
+            _ => {}
+        }
+    }
+    let word = at.checked_sub(1).map(|before| &tokens[before]).filter(|before| before.word);
+    if let (Some(word), [Token { kind: Kind::Number, .. }, next, ..]) = (word, run)
+        && next.spaced
+        && may_begin(next)
+    {
+        let word = line.piece(word.range.clone());
+        if vocabulary::is_numbered(word) {
+            run = &run[1..];
+        } else if word.starts_with(char::is_uppercase) {
+            return None;
+        }
+    }
+    Some(run)
+}
+
+/// The length of a number in brackets at the beginning: (2), [6], (2a), (1.3).
+fn label(run: &[Token]) -> Option<usize> {
+    let open = match run {
+        [Token { kind: Kind::Open(open @ ('(' | '[')), .. }, Token { kind: Kind::Number, .. }, ..] => *open,
+        _ => return None,
+    };
+    let letter = usize::from(matches!(run.get(2)?.kind, Kind::Name | Kind::Article) && !run.get(2)?.spaced);
+    let close = run.get(2 + letter)?;
+    (close.kind == Kind::Close(open)).then_some(3 + letter)
+}
+
+fn may_begin(token: &Token) -> bool {
+    starts_operand(token) || matches!(token.kind, Kind::Open(_)) || token.kind == Kind::Operator
+}
+
 /// A function everybody knows before its argument is a name. A short word between signs is a product if each of its
 /// letters is a name of the line: `2ab`, `rs + st`.
 fn read_words(line: &str, tokens: &mut [Token]) {
@@ -132,218 +188,6 @@ fn read_words(line: &str, tokens: &mut [Token]) {
         if begins && ends {
             (tokens[at].kind, tokens[at].word, tokens[at].product) = (Kind::Name, false, true);
         }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Name,
-    /// A bare `a`, `A` or `I`, which may be a word.
-    Article,
-    Number,
-    /// ∑, ∏, ∫, ∂ …: an operand follows.
-    Prefix,
-    /// `!`: an operand stands before.
-    Postfix,
-    Operator,
-    Relation,
-    Open(char),
-    Close(char),
-    Comma,
-    Dots,
-    Cut,
-    /// A sign of mathematics that is not known: what it touches is not read.
-    Strange,
-}
-
-#[derive(Clone, Debug)]
-struct Token {
-    kind: Kind,
-    range: Range<usize>,
-    /// Whether white space stands before it.
-    spaced: bool,
-    /// Marks of emphasis at both ends.
-    marks: usize,
-    /// Whether it is a word of letters that are no ideographs.
-    word: bool,
-    /// Whether its letters stand for their product.
-    product: bool,
-}
-
-fn tokens(line: &str) -> Vec<Token> {
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    let mut spaced = false;
-    while let Some(c) = line.piece(at..).chars().next() {
-        if c.is_whitespace() {
-            at += c.len_utf8();
-            spaced = true;
-            continue;
-        }
-        let (kind, len, marks) = token(line, at, c);
-        let word = kind == Kind::Cut && (is_letter(c) && !is_ideograph(c) || c.is_ascii_digit());
-        tokens.push(Token { kind, range: at..at + len, spaced, marks, word, product: false });
-        at += len;
-        spaced = false;
-    }
-    tokens
-}
-
-fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
-    let rest = line.piece(at..);
-    let one = c.len_utf8();
-    if c.is_ascii_digit() {
-        let mut len = rest.bytes().take_while(u8::is_ascii_digit).count();
-        if let Some(tail) = rest.piece(len..).strip_prefix('.') {
-            let decimals = tail.bytes().take_while(u8::is_ascii_digit).count();
-            len += if decimals > 0 { decimals + 1 } else { 0 };
-        }
-        let word = letters(rest.piece(len..));
-        if word > 1 {
-            return (Kind::Cut, len + word, 0);
-        }
-        return (Kind::Number, len + exponents(rest.piece(len..)), 0);
-    }
-    if is_letter(c) {
-        let word = letters(rest);
-        if word > 1 || !c.is_ascii() {
-            return (Kind::Cut, word, 0);
-        }
-        return name(rest, one);
-    }
-    if letters::name(c).is_some() || letters::of_blackboard(c).is_some() {
-        return name(rest, one);
-    }
-    if c == '*' {
-        let marks = rest.bytes().take_while(|&byte| byte == b'*').count();
-        let free = !line.piece(..at).ends_with(|c: char| c.is_alphanumeric() || c == ')');
-        if free && marks <= 2 && rest.piece(marks..).starts_with(is_symbol) {
-            let inner = rest.piece(marks..);
-            let first = inner.chars().next().map_or(0, char::len_utf8);
-            let (kind, len, _) = name(inner, first);
-            if kind != Kind::Cut
-                && letters(inner) <= 1
-                && inner.piece(len..).starts_with(rest.piece(..marks))
-                && !inner.piece(len + marks..).starts_with(|c: char| c.is_alphanumeric() || c == '*')
-            {
-                return (Kind::Name, len + 2 * marks, marks);
-            }
-        }
-        return (if marks == 1 { Kind::Operator } else { Kind::Cut }, marks, 0);
-    }
-    for dots in ["...", "…", "⋯"] {
-        if rest.starts_with(dots) {
-            return (Kind::Dots, dots.len(), 0);
-        }
-    }
-    for relation in [":=", "<=", ">=", "!=", "=", "≤", "≥", "≠", "≔", "≜", "⩽", "⩾", "<", ">"] {
-        if let Some(after) = rest.strip_prefix(relation) {
-            // ==, =>, <=> and arrows are no relations.
-            let arrow = after.starts_with(['=', '>', '<']) || (relation == "<" && after.starts_with('-'));
-            return (if arrow { Kind::Cut } else { Kind::Relation }, relation.len() + usize::from(arrow), 0);
-        }
-    }
-    let kind = match c {
-        '∑' | '∏' | '∫' | '∂' | '∇' => {
-            let (kind, len, _) = name(rest, one);
-            return (if kind == Kind::Cut { kind } else { Kind::Prefix }, len, 0);
-        }
-        '√' => Kind::Prefix,
-        '!' => Kind::Postfix,
-        '+' | '-' | '−' | '–' | '±' | '/' | '^' | '·' | '⋅' | '×' | '∘' | '⊗' => Kind::Operator,
-        '(' | '[' | '{' => Kind::Open(c),
-        '（' => Kind::Open('('),
-        ')' | '）' => Kind::Close('('),
-        ']' => Kind::Close('['),
-        '}' => Kind::Close('{'),
-        ',' | ';' => Kind::Comma,
-        '∞' => Kind::Number,
-        // The blocks of mathematical operators, and what ASCII has of them.
-        '%' | '~' | '&' | '@' | '\u{2200}'..='\u{22ff}' | '\u{2a00}'..='\u{2aff}' => Kind::Strange,
-        _ => Kind::Cut,
-    };
-    (kind, one, 0)
-}
-
-/// Letters that form words: Greek letters and raised ones stand for themselves.
-fn is_letter(c: char) -> bool {
-    c.is_alphabetic() && letters::name(c).is_none() && letters::of_blackboard(c).is_none() && !is_raised(c)
-}
-
-fn is_symbol(c: char) -> bool {
-    c.is_ascii_alphabetic() || letters::name(c).is_some()
-}
-
-/// Raised and lowered digits, letters and signs, and accents.
-fn is_raised(c: char) -> bool {
-    matches!(c, '²' | '³' | '¹' | 'ʰ'..='˿' | 'ᴬ'..='ᶿ' | '⁰'..='₟' | 'ⱼ' | 'ⱽ')
-        || matches!(c, '\u{302}'..='\u{308}' | '\u{20d7}')
-}
-
-/// The bytes of the word at the beginning; a letter may stand next to an ideograph.
-fn letters(text: &str) -> usize {
-    let ideographs = text.starts_with(is_ideograph);
-    text.chars().take_while(|&c| is_letter(c) && is_ideograph(c) == ideographs).map(char::len_utf8).sum()
-}
-
-/// The bytes of raised characters and primes at the beginning.
-fn exponents(text: &str) -> usize {
-    text.chars().take_while(|&c| is_raised(c)).map(char::len_utf8).sum()
-}
-
-/// A name of one letter of `len` bytes, with its indices, exponents and primes.
-fn name(text: &str, len: usize) -> (Kind, usize, usize) {
-    let letter = len;
-    let mut len = len;
-    len += text.piece(len..).bytes().take_while(u8::is_ascii_digit).count();
-    loop {
-        let rest = text.piece(len..);
-        len += match rest.chars().next() {
-            Some(c) if is_raised(c) || matches!(c, '\'' | '’' | '′' | '″') => c.len_utf8(),
-            Some(sign @ ('_' | '^')) => match script(rest.piece(1..), text.starts_with(['∑', '∏'])) {
-                Some(script) => 1 + script,
-                None if sign == '^' => break,
-                // A word with underscores.
-                None => return (Kind::Cut, len + 1 + letters(rest.piece(1..)), 0),
-            },
-            _ => break,
-        };
-    }
-    let article = len == letter && text.starts_with(['a', 'A', 'I']);
-    (if article { Kind::Article } else { Kind::Name }, len, 0)
-}
-
-/// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names. Below a sum (`bounds`) it
-/// may say from where.
-fn script(text: &str, bounds: bool) -> Option<usize> {
-    let first = text.chars().next()?;
-    if first == '(' {
-        // b_(i-1), B_i^(n-1)
-        let close = text.bytes().take(40).position(|byte| byte == b')')?;
-        let inner = text.piece(1..close);
-        return (!inner.is_empty() && !inner.contains(['(', '=', ' '])).then_some(close + 1);
-    }
-    if first == '{' {
-        let close = text.bytes().take(40).position(|byte| byte == b'}')?;
-        let inner = text.piece(1..close);
-        return (!inner.contains('{') && (bounds || !inner.contains('='))).then_some(close + 1);
-    }
-    if first.is_ascii_digit() {
-        return Some(text.bytes().take_while(u8::is_ascii_digit).count());
-    }
-    if letters::name(first).is_some() {
-        return Some(first.len_utf8());
-    }
-    if !first.is_ascii_alphabetic() {
-        return None;
-    }
-    let word = letters(text);
-    let splits = text.piece(word..).starts_with(|c: char| matches!(c, '_' | '^' | '(') || is_raised(c));
-    match word {
-        1 => Some(1),
-        2 if splits => Some(1),
-        2 => Some(2),
-        _ => None,
     }
 }
 
@@ -442,13 +286,25 @@ fn formula(line: &str, part: &[Token], continues: bool) -> Option<Found> {
     for cut in 0..=MAX_CUT {
         for front in 0..=cut {
             let end = part.len().checked_sub(cut - front)?;
-            let Some(tokens) = part.get(front..end) else { continue };
+            let Some(tokens) = part.get(front..end).filter(|_| is_apart(part, front, end)) else { continue };
             if let Some(found) = readable(line, tokens, continues && front == 0) {
                 return Some(found);
             }
         }
     }
     None
+}
+
+/// Whether what is left out at the ends may be words and stops, with space to the rest: of `∑ᵢ i = 3` nothing is left out.
+fn is_apart(part: &[Token], front: usize, end: usize) -> bool {
+    let word = |token: &Token| {
+        let sign = matches!(token.kind, Kind::Prefix | Kind::Operator | Kind::Postfix);
+        !sign && !matches!(token.kind, Kind::Open(_) | Kind::Close(_))
+    };
+    let spaced = |at: usize| part.get(at).is_none_or(|token| token.spaced || token.kind == Kind::Comma);
+    part[..front].iter().chain(&part[end..]).all(word)
+        && (front == 0 || spaced(front) || part[front - 1].kind == Kind::Comma)
+        && spaced(end)
 }
 
 /// Where the bracket is closed with which the tokens begin.
@@ -567,6 +423,12 @@ mod tests {
             ("（1 + 1）= 2", vec!["（1 + 1）= 2"]),
             ("this holds (x = y + 1) there", vec!["x = y + 1"]),
             ("x = 1, y = a - step", vec!["x = 1"]),
+            ("(2) (a+b)^2 = a^2 + 2ab + b^2", vec!["(a+b)^2 = a^2 + 2ab + b^2"]),
+            ("see Eq. (7) x + 1 = y", vec!["x + 1 = y"]),
+            ("Theorem 5 (x+2)^2 = y", vec!["(x+2)^2 = y"]),
+            ("so 2 (x+1) = 2x + 2", vec!["2 (x+1) = 2x + 2"]),
+            ("y = x + 1 (3)", vec!["y = x + 1"]),
+            ("| a = 1 | b = 2 |", vec!["a = 1", "b = 2"]),
             ("so B_i^(2)(t) = binom(2,i) t^i holds", vec!["B_i^(2)(t) = binom(2,i) t^i"]),
         ] {
             assert_eq!(found(line), wanted, "{line}");
@@ -609,6 +471,18 @@ mod tests {
             "speed / c = a",
             "x = y + 2area",
             "Bézier(n) = 3",
+            "Bézier_3 + 1 = 5",
+            "ñ_1 + 1 = 6",
+            "³√8 + 1 = 3",
+            "∑ᵢ₌₁ⁿ i = n(n+1)/2",
+            "（a＋b）^2 = a^2",
+            "|x| + 1 = 2",
+            "⌊3/2⌋ + 1 = 2",
+            "1½ + 1 = 2",
+            "6÷2 = 3",
+            "3€ + 2 = 5",
+            "Thus 2 (x+1) = 2x + 2",
+            "y = x + a (3)",
         ] {
             assert_eq!(found(line), [""; 0], "{line}");
         }

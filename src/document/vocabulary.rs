@@ -117,3 +117,56 @@ pub(super) const SILENT: &[&str] = &[
     "hfill",
     "qedhere",
 ];
+
+/// Other words with a number behind them.
+const NUMBERED: &[&str] = &[
+    "eq",
+    "eqn",
+    "equation",
+    "formula",
+    "fig",
+    "figure",
+    "table",
+    "section",
+    "chapter",
+    "step",
+    "case",
+    "page",
+    "ex",
+    "prop",
+    "def",
+    "rem",
+    "satz",
+    "gleichung",
+    "formel",
+    "beispiel",
+    "aufgabe",
+    "kapitel",
+    "abschnitt",
+    "schritt",
+    "fall",
+    "seite",
+    "théorème",
+    "lemme",
+    "équation",
+    "formule",
+    "exemple",
+    "exercice",
+    "chapitre",
+    "étape",
+    "cas",
+    "teorema",
+    "ecuación",
+    "fórmula",
+    "ejemplo",
+    "ejercicio",
+    "capítulo",
+    "paso",
+    "caso",
+];
+
+/// Whether a word is one of what a text numbers: Theorem 5, Eq. 3, Gleichung 7.
+pub(super) fn is_numbered(word: &str) -> bool {
+    let word = word.to_lowercase();
+    THEOREMS.iter().chain(NUMBERED).any(|own| *own == word)
+}

@@ -2,8 +2,10 @@
 
 use super::conditions::is_condition;
 use super::speech;
+use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::written::names::{bases, is_index_letter};
+use crate::language::eval::is_decimal_part;
 
 /// t_0, …, t_3 = 0, 0, 1, 1 and a_0, …, a_3 = ¼(1, 3, 3, 1): one list equals the other.
 fn listed_values(items: &[Expr]) -> Option<Expr> {
@@ -159,4 +161,21 @@ pub(super) fn ordered_members(expr: &mut Expr) {
             std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr)).cloned().collect();
     }
     expr.for_each_child_mut(&mut ordered_members);
+}
+
+/// In 2{.}5 · 2 = 5 and 1.000,5 + 1 = … a sign without space stands between two numbers: it may be that of a decimal number
+/// that is not read, so that what follows it is half of something.
+pub(super) fn with_doubtful_numbers(items: Vec<Expr>, between: impl Fn(Span) -> bool) -> Vec<Expr> {
+    let mut found: Vec<Expr> = Vec::with_capacity(items.len());
+    for mut item in items {
+        if let (Some(before), Kind::Chain(left, _)) = (found.last(), &mut item.kind)
+            && before.span.end < left.span.start
+            && is_decimal_part(before, left)
+            && between(Span::new(before.span.end, left.span.start))
+        {
+            **left = Expr::new(Kind::Unread("a decimal sign, or two numbers?".to_owned()), left.span);
+        }
+        found.push(item);
+    }
+    found
 }

@@ -8,7 +8,7 @@ use super::blocks::{Blocks, Changes, count_new_values, lettered_part};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
-use super::items::{ordered_members, regrouped, with_alternatives};
+use super::items::{ordered_members, regrouped, with_alternatives, with_doubtful_numbers};
 use super::objects;
 use super::primes;
 use super::sentence;
@@ -388,7 +388,8 @@ impl Reader<'_> {
                 }
                 _ => vec![expr],
             };
-            let items = with_alternatives(regrouped(items));
+            let glued = |gap: Span| !latex(gap).contains(char::is_whitespace);
+            let items = with_doubtful_numbers(with_alternatives(regrouped(items)), glued);
             for (at, item) in items.into_iter().enumerate() {
                 let side = Side { latex: clean(&latex(item.span)), expr: item };
                 let text = matches!(side.expr.kind, Kind::Text(_));

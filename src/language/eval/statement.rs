@@ -380,7 +380,12 @@ fn is_no_decimal_defined(statement: &Expr) -> Result<(), Diagnostic> {
 
 /// Whether the comma between two items stands between two numbers, as in 1,5.
 pub(crate) fn is_decimal_comma(before: &Expr, after: &Expr) -> bool {
-    before.span.end + 1 == after.span.start && ends_in_number(before) && begins_with_number(after)
+    before.span.end + 1 == after.span.start && is_decimal_part(before, after)
+}
+
+/// Whether a sign between two formulas stands between two numbers.
+pub(crate) fn is_decimal_part(before: &Expr, after: &Expr) -> bool {
+    ends_in_number(before) && begins_with_number(after)
 }
 
 fn ends_in_number(expr: &Expr) -> bool {
