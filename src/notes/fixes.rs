@@ -7,7 +7,7 @@
 //! **Invariants.** The text with the fixes in it reads as the suggestion does, which is verified by reading it;
 //! otherwise a larger piece is replaced, in the end the whole relation. Fixes do not overlap.
 
-use crate::document::{Document, Item, Style};
+use crate::document::{Document, Formula, Item, Places, Style};
 use crate::formula::Expr;
 use crate::formula::source::{Pieces, Span, replaced};
 use crate::judge::page::finding::{FileReport, Finding, Verdict};
@@ -31,15 +31,20 @@ pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
     let wrong = report.findings.iter().filter(|finding| finding.verdict == Verdict::Refuted);
     for finding in wrong {
         let Some(suggestion) = &finding.suggestion else { continue };
-        let source = report.file.slice(finding.span);
-        let plain = is_plain(document, finding);
-        let found = if document.escaped {
-            in_string(source, suggestion)
-        } else {
-            pieces(source, suggestion, if plain { Notation::Plain } else { Notation::Latex })
+        let found = match document.escaped {
+            true => {
+                let shifted = |fix: Fix| Fix { span: fix.span.shifted(finding.span.start), ..fix };
+                in_string(report.file.slice(finding.span), suggestion).into_iter().map(shifted).collect()
+            }
+            false => {
+                let written = Written::of(document, finding);
+                let found = pieces(&written, suggestion, written.notation);
+                found
+                    .into_iter()
+                    .map(|fix| Fix { span: written.in_file(fix.span), ..fix })
+                    .collect::<Vec<_>>()
+            }
         };
-        let shifted = |fix: Fix| Fix { span: fix.span.shifted(finding.span.start), ..fix };
-        let found: Vec<Fix> = found.into_iter().map(shifted).collect();
         if let (Some(first), Some(last)) = (found.first(), found.last()) {
             all.push((first.span.to(last.span), found));
         }
@@ -62,12 +67,22 @@ pub(super) fn in_own_words(document: &Document, finding: &mut Finding) {
     let Some(suggestion) = finding.suggestion.as_ref().filter(|_| finding.verdict == Verdict::Refuted) else {
         return;
     };
-    if document.escaped || is_plain(document, finding) {
+    if document.escaped {
         return;
     }
-    let source = document.file.slice(finding.span);
-    let found = pieces(source, suggestion, Notation::Latex);
-    if found.iter().any(|fix| fix.span.start > 0 || fix.span.end < source.len()) {
+    let written = Written::of(document, finding);
+    if matches!(written.notation, Notation::Plain) {
+        return;
+    }
+    let source = document.file.slice(written.in_file(Span::new(0, written.text.len())));
+    let found = pieces(&written, suggestion, Notation::Latex);
+    if found.iter().any(|fix| fix.span.start > 0 || fix.span.end < written.text.len()) {
+        let start = written.in_file(Span::new(0, written.text.len())).start;
+        let place = |span: Span| {
+            let span = written.in_file(span);
+            Span::new(span.start - start, span.end - start)
+        };
+        let found: Vec<Fix> = found.into_iter().map(|fix| Fix { span: place(fix.span), ..fix }).collect();
         let text = without_columns(&fixed(source, &found));
         finding.suggestion = Some(text.split_whitespace().collect::<Vec<_>>().join(" "));
     }
@@ -78,16 +93,100 @@ pub fn fixed(text: &str, fixes: &[Fix]) -> String {
     replaced(text, fixes.iter().map(|fix| (fix.span, fix.text.as_str())))
 }
 
-/// Whether the relation stands in plain notation among words.
-fn is_plain(document: &Document, finding: &Finding) -> bool {
-    document.items.iter().any(|item| match item {
-        Item::Formula(formula) => {
-            formula.style == Style::Plain
-                && formula.span.start <= finding.span.start
-                && finding.span.end <= formula.span.end
+/// A relation as it is read: with its macros written out, and with all of the braces that it begins or ends in.
+struct Written<'a> {
+    text: &'a str,
+    notation: Notation,
+    /// Where the text begins in that of the formula, or in the file if it is none of one formula.
+    start: usize,
+    places: Option<&'a Places>,
+}
+
+impl<'a> Written<'a> {
+    fn of(document: &'a Document, finding: &Finding) -> Self {
+        let within = |formula: &&'a Formula| {
+            formula.span.start <= finding.span.start && finding.span.end <= formula.span.end
+        };
+        let formulas = document.items.iter().filter_map(|item| match item {
+            Item::Formula(formula) => Some(formula),
+            _ => None,
+        });
+        let formula = formulas.filter(within).last();
+        let plain = formula.is_some_and(|formula| formula.style == Style::Plain);
+        let notation = if plain { Notation::Plain } else { Notation::Latex };
+        let found = formula.and_then(|formula| {
+            let inside = |at: &usize| {
+                let place = formula.in_file(Span::new(*at, at + 1));
+                finding.span.start <= place.start && place.end <= finding.span.end
+            };
+            let bytes = || 0..formula.text.len();
+            let part = Span::new(bytes().find(inside)?, bytes().rfind(inside)? + 1);
+            formula.text.get(part.range())?;
+            let part = with_braces(&formula.text, part);
+            Some((formula.text.get(part.range())?, part.start, &formula.places))
+        });
+        match found {
+            Some((text, start, places)) => Written { text, notation, start, places: Some(places) },
+            None => {
+                let text = document.file.slice(finding.span);
+                Written { text, notation, start: finding.span.start, places: None }
+            }
         }
-        _ => false,
-    })
+    }
+
+    /// A text that stands for itself.
+    fn alone(text: &'a str) -> Self {
+        Written { text, notation: Notation::Latex, start: 0, places: None }
+    }
+
+    fn in_file(&self, span: Span) -> Span {
+        let span = span.shifted(self.start);
+        self.places.map_or(span, |places| places.span(span))
+    }
+
+    /// Whether a part of the text stands so in the file, or is all that a macro stands for.
+    fn is_whole(&self, span: Span) -> bool {
+        let own = self.in_file(span);
+        let ends = |at: usize| match at < self.text.len() {
+            true => self.in_file(Span::new(at, at + 1)).start >= own.end,
+            false => true,
+        };
+        let begins = |at: usize| match at.checked_sub(1) {
+            Some(before) => self.in_file(Span::new(before, at)).end <= own.start,
+            None => true,
+        };
+        self.places.is_none() || begins(span.start) && ends(span.end)
+    }
+}
+
+/// A part of a text and as much around it as its braces need.
+fn with_braces(text: &str, part: Span) -> Span {
+    let (mut depth, mut least) = (0_i32, 0_i32);
+    let mut escaped = false;
+    for c in text.piece(part.range()).chars() {
+        match c {
+            '{' if !escaped => depth += 1,
+            '}' if !escaped => depth -= 1,
+            _ => {}
+        }
+        escaped = c == '\\' && !escaped;
+        least = least.min(depth);
+    }
+    let (mut start, mut end) = (part.start, part.end);
+    for _ in 0..-least {
+        match text.piece(..start).trim_end().strip_suffix('{') {
+            Some(before) => start = before.len(),
+            None => return part,
+        }
+    }
+    for _ in 0..depth - least {
+        let rest = text.piece(end..);
+        match rest.trim_start().strip_prefix('}') {
+            Some(after) => end = text.len() - after.len(),
+            None => return part,
+        }
+    }
+    Span::new(start, end)
 }
 
 #[derive(Clone, Copy)]
@@ -135,7 +234,8 @@ fn without_columns(text: &str) -> String {
 }
 
 /// What is replaced in the source of a relation.
-fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
+fn pieces(written: &Written, suggestion: &str, notation: Notation) -> Vec<Fix> {
+    let source = written.text;
     let whole = |text: String| vec![Fix { span: Span::new(0, source.len()), text }];
     let Ok(wanted) = latex::read(suggestion) else { return whole(suggestion.to_owned()) };
     let plain = matches!(notation, Notation::Plain);
@@ -163,6 +263,9 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
                 if !source.piece(span.range()).contains(' ') {
                     text = text.replace(" + ", "+").replace(" - ", "-");
                 }
+                if !plain && counts(source).is_empty() {
+                    counts(&text).into_iter().rev().for_each(|at| text.replace_range(at..at + 1, ""));
+                }
                 let brace = brace || !plain && signs(&text).len() > 1 && is_bare_argument(source, span.start);
                 match (brace, plain) {
                     (false, _) => text,
@@ -174,13 +277,30 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
                 places.iter().map(|(span, expr)| Fix { span: *span, text: text(*span, expr) }).collect();
             found.sort_by_key(|fix| fix.span.start);
             let apart = found.windows(2).all(|pair| pair[0].span.end <= pair[1].span.start);
+            let is_whole = |found: &[Fix]| found.iter().all(|fix| written.is_whole(fix.span));
             if apart && is_right(&found) {
                 let small: Vec<Fix> = found.iter().map(|fix| trimmed(source, fix)).collect();
-                return if is_right(&small) { small } else { found };
+                if is_whole(&small) && is_right(&small) {
+                    return small;
+                }
+                if is_whole(&found) {
+                    return found;
+                }
             }
         }
     }
     if plain { Vec::new() } else { whole(suggestion.to_owned()) }
+}
+
+/// Where a space stands between a number and the letter that it counts: 2 x.
+fn counts(text: &str) -> Vec<usize> {
+    let bytes = text.as_bytes();
+    let counts = |at: &usize| {
+        let before = at.checked_sub(1).is_some_and(|before| bytes[before].is_ascii_digit());
+        let after = bytes.get(at + 1).is_some_and(u8::is_ascii_alphabetic);
+        bytes[*at] == b' ' && before && after
+    };
+    (0..bytes.len()).filter(counts).collect()
 }
 
 /// Whether an argument of `\frac`, `\binom` or `\sqrt` without braces begins at `at`: TeX takes one sign only.
@@ -288,7 +408,7 @@ fn in_string(source: &str, suggestion: &str) -> Vec<Fix> {
     }
     let fix = Fix {
         span: Span::new(0, source.len()),
-        text: quoted(&fixed(&text, &pieces(&text, suggestion, Notation::Latex))),
+        text: quoted(&fixed(&text, &pieces(&Written::alone(&text), suggestion, Notation::Latex))),
     };
     vec![fix]
 }
@@ -298,7 +418,7 @@ mod tests {
     use super::*;
 
     fn after(source: &str, suggestion: &str) -> String {
-        fixed(source, &pieces(source, suggestion, Notation::Latex))
+        fixed(source, &pieces(&Written::alone(source), suggestion, Notation::Latex))
     }
 
     #[test]
@@ -324,7 +444,7 @@ mod tests {
     #[test]
     fn in_plain_notation_nothing_of_latex_is_written() {
         let source = "F(t) = t^2 + 2t";
-        let found = pieces(source, r"F(t) = \frac{1}{3} t^2", Notation::Plain);
+        let found = pieces(&Written::alone(source), r"F(t) = \frac{1}{3} t^2", Notation::Plain);
         let text = fixed(source, &found);
         assert!(!text.contains('\\') && text.starts_with("F(t) = "), "{text}");
     }

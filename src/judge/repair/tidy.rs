@@ -65,6 +65,19 @@ fn ungroup(edit: &mut Expr) {
         Kind::Subscript(_, indices) => indices.iter_mut().for_each(|index| bare(index, true)),
         // n (b - a) would be a call of n.
         Kind::Mul(factors) => {
+            // 2 a b for 2 (a b)
+            let product = |factor: &Expr| match &factor.kind {
+                Kind::Group(inner) if factor.span == Span::default() || inner.span == Span::default() => {
+                    match &inner.kind {
+                        Kind::Mul(own) => Some(own.clone()),
+                        _ => None,
+                    }
+                }
+                Kind::Mul(own) => Some(own.clone()),
+                _ => None,
+            };
+            let flat = |factor: Expr| product(&factor).unwrap_or_else(|| vec![factor]);
+            *factors = std::mem::take(factors).into_iter().flat_map(flat).collect();
             for at in 0..factors.len() {
                 let called = factors.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Group(_)));
                 if !called {
