@@ -92,10 +92,8 @@ fn list(
     let files = expanded(files, |_| false);
     let pool = pool(jobs, files.len())?;
     let reading = Reading { kind, ..Reading::default() };
-    let inputs = read_all(&pool, &files, &reading, false, output.quiet, |document| FileReport {
-        file: document.file.clone(),
-        findings: listing(document),
-        problems: document.problems.clone(),
+    let inputs = read_all(&pool, &files, &reading, false, output.quiet, |document| {
+        FileReport::new(document.file.clone(), listing(document), document.problems.clone())
     });
     let reports = gather(&inputs);
     show_problems(&reports, output);
@@ -327,7 +325,8 @@ impl Check<'_> {
         let refuted = reports.iter().any(|report| report.count(Verdict::Refuted) > 0);
         let mut read = inputs.iter().all(|input| input.read);
         for report in &reports {
-            if Tally::of(std::slice::from_ref(report)).is_all_unread() {
+            read &= !report.is_broken();
+            if report.left_out == 0 && Tally::of(std::slice::from_ref(report)).is_all_unread() {
                 say(&format!("{}: none of its formulas could be read", report.file.name()));
                 read = false;
             }

@@ -161,6 +161,7 @@ impl Config {
         report.findings = kept;
         let left_out = before - report.findings.len() - report.problems.len();
         self.left_out.fetch_add(left_out, Ordering::Relaxed);
+        report.left_out = left_out;
         report
     }
 

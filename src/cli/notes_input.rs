@@ -126,8 +126,7 @@ fn read_one(path: &Path, reading: &Reading, fixing: bool, report: impl Fn(&Docum
     } else {
         guarded(|| read_files(path, reading)).and_then(|result| result)
     };
-    let unread =
-        |file: SourceFile, problem| FileReport { file, findings: Vec::new(), problems: vec![problem] };
+    let unread = |file: SourceFile, problem| FileReport::new(file, Vec::new(), vec![problem]);
     match documents {
         Err(problem) => {
             let reports = vec![unread(SourceFile::new(name, ""), problem)];
@@ -196,11 +195,7 @@ mod tests {
     use super::*;
 
     fn input(names: &[&str]) -> Input {
-        let report = |name: &&str| FileReport {
-            file: SourceFile::new(*name, ""),
-            findings: Vec::new(),
-            problems: Vec::new(),
-        };
+        let report = |name: &&str| FileReport::new(SourceFile::new(*name, ""), Vec::new(), Vec::new());
         Input {
             path: PathBuf::from(names[0]),
             reports: names.iter().map(report).collect(),

@@ -204,7 +204,7 @@ fn declare(checker: &mut Checker, options: &Options) {
 fn report(document: &Document, mut findings: Vec<Finding>, problems: &[Diagnostic]) -> FileReport {
     findings.iter_mut().for_each(|finding| in_own_words(document, finding));
     let problems = [document.problems.as_slice(), problems].concat();
-    FileReport { file: document.file.clone(), findings, problems }
+    FileReport::new(document.file.clone(), findings, problems)
 }
 
 #[cfg(test)]

@@ -430,7 +430,7 @@ mod tests {
             (r"b_0\,+b_1 = b_2", r"b_0 + b_1 = b_{12}", r"b_0\,+b_1 = b_{12}"),
             (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
             (r"d = b_2 -  2b_1 - b_0", r"d = b_2 - 2 b_1 + b_0", r"d = b_2 -  2b_1 + b_0"),
-            (r"c = a^2 + ab+b^2", r"c = a^2 + 2 a b + b^2", r"c = a^2 + 2 ab+b^2"),
+            (r"c = a^2 + ab+b^2", r"c = a^2 + 2 a b + b^2", r"c = a^2 + 2ab+b^2"),
             (r"c = \frac 1 n", r"c = \frac{1}{(n + 1)}", r"c = \frac 1 {(n+1)}"),
             (r"c = a\alpha + b", r"c = a\beta + b", r"c = a\beta + b"),
         ] {

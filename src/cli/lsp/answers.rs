@@ -148,7 +148,7 @@ impl Checked {
     }
 
     fn fixes(&self, findings: Vec<Finding>) -> Vec<Fix> {
-        let report = FileReport { file: self.report.file.clone(), findings, problems: Vec::new() };
+        let report = FileReport::new(self.report.file.clone(), findings, Vec::new());
         fixes(&self.document, &report)
     }
 

@@ -140,7 +140,7 @@ fn check(job: Job, limits: &Limits, memory: &mut Memory, tell: &dyn Fn(Checked))
     let (document, report) = result.unwrap_or_else(|problem| {
         let document =
             Document { file: file.clone(), items: Vec::new(), problems: Vec::new(), escaped: false };
-        (document, FileReport { file, findings: Vec::new(), problems: vec![problem] })
+        (document, FileReport::new(file, Vec::new(), vec![problem]))
     });
     let places = Places::new(report.file.text());
     Checked { uri: job.uri, version: job.version, whole: true, document, report, places, remark }

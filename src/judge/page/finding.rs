@@ -3,7 +3,7 @@
 use crate::formula::Expr;
 use crate::formula::source::{SourceFile, Span};
 use crate::judge::page::statement::{Chain, Side};
-use crate::language::diagnostic::Diagnostic;
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::write;
 
 /// What is said of a relation.
@@ -159,9 +159,22 @@ pub struct FileReport {
     pub findings: Vec<Finding>,
     /// What is wrong with the file itself.
     pub problems: Vec<Diagnostic>,
+    /// How many findings and problems are not reported, as they are ignored or known.
+    pub left_out: usize,
 }
 
 impl FileReport {
+    /// A report of which nothing is left out.
+    pub fn new(file: SourceFile, findings: Vec<Finding>, problems: Vec<Diagnostic>) -> Self {
+        FileReport { file, findings, problems, left_out: 0 }
+    }
+
+    /// Whether something is wrong with the file as a whole, so that there is nothing in it.
+    pub fn is_broken(&self) -> bool {
+        let broken = |problem: &Diagnostic| problem.code == Code::BrokenNotebook;
+        self.findings.is_empty() && self.problems.iter().any(broken)
+    }
+
     /// How many findings have this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.findings.iter().filter(|finding| finding.verdict == verdict).count()

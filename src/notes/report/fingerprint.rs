@@ -80,11 +80,8 @@ mod tests {
         let finding = |latex: &str| {
             Finding::new(Span::new(0, 1), Span::new(0, 1), latex.to_owned(), latex.to_owned(), 1)
         };
-        let report = FileReport {
-            file: SourceFile::new("a.md", "x"),
-            findings: vec![finding("a = b"), finding("a=b"), finding("c")],
-            problems: Vec::new(),
-        };
+        let findings = vec![finding("a = b"), finding("a=b"), finding("c")];
+        let report = FileReport::new(SourceFile::new("a.md", "x"), findings, Vec::new());
         let all = fingerprints(&report);
         assert_eq!(all[0].split(':').next(), all[1].split(':').next());
         assert!(all[0].ends_with(":1") && all[1].ends_with(":2") && all[2] != all[0]);

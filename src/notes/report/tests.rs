@@ -82,7 +82,7 @@ fn lecture() -> FileReport {
     let problem = Diagnostic::warning(Code::Unbalanced, "the formula is not closed")
         .at(at(&text, "# 极形式"))
         .hint("close it with $");
-    FileReport { file: SourceFile::new("lectures/极形式.md", text), findings, problems: vec![problem] }
+    FileReport::new(SourceFile::new("lectures/极形式.md", text), findings, vec![problem])
 }
 
 /// Lines that end with CR LF, and text that would like to be markup.
@@ -100,7 +100,7 @@ fn windows() -> FileReport {
             ..finding(text, "\\text{<script>alert(1)</script>} = \u{1b}[31m0", "=", Verdict::Refuted)
         },
     ];
-    FileReport { file: SourceFile::new("notes <b>.tex", text), findings, problems: Vec::new() }
+    FileReport::new(SourceFile::new("notes <b>.tex", text), findings, Vec::new())
 }
 
 fn both() -> Vec<FileReport> {
@@ -125,7 +125,7 @@ fn text() {
         "text_of_two_files",
         render_text(&both(), TextOptions { verbose: true, ..plain })
     );
-    let empty = FileReport { file: SourceFile::new("a.md", ""), findings: vec![], problems: vec![] };
+    let empty = FileReport::new(SourceFile::new("a.md", ""), vec![], vec![]);
     insta::assert_snapshot!(render_text(&[empty], plain), @"a.md: nothing to judge");
     assert_eq!(render_text(&[], plain), "");
 }
@@ -214,7 +214,7 @@ fn sarif() {
 fn sarif_is_as_specified() {
     let strange = FileReport {
         problems: vec![Diagnostic::error(Code::File, "cannot read it")],
-        ..FileReport { file: SourceFile::new("/no/such file.ipynb", ""), findings: vec![], problems: vec![] }
+        ..FileReport::new(SourceFile::new("/no/such file.ipynb", ""), vec![], vec![])
     };
     let mut reports = both();
     reports.push(strange);
@@ -289,7 +289,7 @@ fn a_fix_in_a_notebook_is_a_piece_of_a_string() {
         suggestion: some("\\sigma = \"2\""),
         ..finding(text, "\\\\sigma = 1", "=", Verdict::Refuted)
     }];
-    let report = FileReport { file: SourceFile::new("a.ipynb", text), findings, problems: vec![] };
+    let report = FileReport::new(SourceFile::new("a.ipynb", text), findings, vec![]);
     let log: Value = serde_json::from_str(&render_sarif(&[report])).expect("it is JSON");
     let fix = &log["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0]["replacements"][0];
     assert_eq!(fix["insertedContent"]["text"], "\\\\sigma = \\\"2\\\"");
@@ -360,6 +360,7 @@ fn report() -> impl Strategy<Value = FileReport> {
             )
             .collect(),
         problems: vec![Diagnostic::error(Code::Unbalanced, "open").at(Span::new(70, 90))],
+        left_out: 0,
     })
 }
 
