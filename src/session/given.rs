@@ -146,6 +146,10 @@ impl Session {
                 return Ok(Conditions { claims: others, judgements });
             };
             let value = solution(&equation, &judgements).ok_or_else(|| unused(&answer))?;
+            // A function that was defined before keeps its symbols.
+            if solved.iter().any(|(name, _)| *name == value.0) {
+                return Err(unused(&answer));
+            }
             solved.push(value);
             self.env = with(&start, &solved);
             claims = self.suppose(given)?;
@@ -201,6 +205,15 @@ impl Session {
         // \textbf{Claim.} For all n, ...
         if matches!(formula.kind, Kind::Text(_)) {
             return Ok(None);
+        }
+        // find a and b with p(1) = 0 and p(2) = 3
+        if meant.is_none()
+            && let Some(solved) = self.unknown_of(file, sentence.formula, &sentence.conditions)
+        {
+            return self
+                .clone()
+                .evaluated_as(file, solved, sentence.formula, Equals::Claims)
+                .map(|answer| Some(vec![answer]));
         }
         let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {

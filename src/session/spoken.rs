@@ -32,7 +32,7 @@ use crate::language::diagnostic::{Code, Diagnostic, NO_DEGREE, NO_PLACE};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Gives, Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::{Label, Place};
-use crate::language::lexicon::{fractions, roles};
+use crate::language::lexicon::{fractions, roles, wanted};
 use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
@@ -83,6 +83,9 @@ impl Session {
         topic: Option<&Expr>,
         about: bool,
     ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
+        if topic.is_none() && wanted::is_of_another(file.slice(whole)) {
+            return Ok(None);
+        }
         // at one third
         let masked = fractions::with_digits(file.slice(whole)).map(|text| {
             let mut all = file.text().to_owned();

@@ -38,6 +38,21 @@ const ITS: &[&str] = &[
     "在",
 ];
 
+/// Words of these that stand for an object before them, whatever else is said.
+const POSSESSIVES: &[&str] = &[
+    "its", "seinen", "seine", "sein", "ihren", "ihre", "ihr", "sa", "son", "ses", "su", "sus", "il suo",
+    "la sua", "其", "它的",
+];
+
+/// Whether a text asks about an object that is named before it: find its derivative at 0.
+pub(crate) fn is_of_another(text: &str) -> bool {
+    let mut rest = text.trim_start();
+    while let Some(length) = starts_with_one_of(rest, WANTED) {
+        rest = rest.get(length..).unwrap_or_default().trim_start();
+    }
+    starts_with_one_of(rest, POSSESSIVES).is_some()
+}
+
 /// Where the words for "and" stand in a text outside of brackets: the end of what is before them, the start of what follows.
 pub(crate) fn conjunctions(text: &str) -> Vec<(usize, usize)> {
     let mut depth = 0_i32;

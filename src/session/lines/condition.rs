@@ -68,7 +68,7 @@ impl Session {
     }
 
     /// The names that stand in a text: c_1, c_2; c_1 and c_2.
-    fn names_in(&self, file: &SourceFile, span: Span) -> Option<Vec<Expr>> {
+    pub(in crate::session) fn names_in(&self, file: &SourceFile, span: Span) -> Option<Vec<Expr>> {
         let text = file.slice(span);
         let mut found = Vec::new();
         let mut start = 0;

@@ -100,7 +100,7 @@ impl Session {
             }
             _ => (Span::new(head.start + syntax::after_introduction(text), head.end), None),
         };
-        let spoken = self.spoken_data(file, body);
+        let spoken = self.spoken_data(file, body).map(of_its_points);
         let has = spoken.as_ref().map(|object| self.has_values(object));
         let defined = || self.defined(file, head).filter(|object| self.has_values(object) == Some(true));
         let object = match has {
@@ -183,6 +183,16 @@ impl Session {
         if most == 0 {
             return None;
         }
+        // its value at 2 and its derivative at 1
+        if let Some((end, start)) = wanted::and_its(file.slice(text))
+            && let Some(first) =
+                self.question(file, Span::new(text.start, text.start + end), object, name, false)
+            && let Some(mut found) =
+                self.questions(file, Span::new(text.start + start, text.end), object, name, most - 1)
+        {
+            found.insert(0, first);
+            return Some(found);
+        }
         if let Some(one) = self.question(file, text, object, name, false) {
             return Some(vec![one]);
         }
@@ -251,6 +261,20 @@ impl Session {
         let free = !defines(&self.env, letter) && function_called(letter).is_none();
         let plain = !matches!(formula.kind, Kind::Sequence(_) | Kind::Chain(..));
         (free && plain && letter.chars().count() == 1).then(|| letter.clone())
+    }
+}
+
+/// "The cubic has the control points 0, 1, 2, 4" speaks of the curve with these points, and not of the points.
+fn of_its_points(object: Expr) -> Expr {
+    let Kind::Apply(callee, groups) = &object.kind else { return object };
+    match (&callee.kind, groups.as_slice()) {
+        (Kind::Name(own), [one]) if own == "control_points" => match one.as_slice() {
+            [Expr { kind: Kind::Apply(curve, _), .. }] if matches!(&curve.kind, Kind::Name(name) if matches!(name.as_str(), "bezier" | "bspline")) => {
+                one[0].clone()
+            }
+            _ => object,
+        },
+        _ => object,
     }
 }
 

@@ -184,7 +184,12 @@ impl Session {
     }
 
     /// The equations of conditions, to be solved for a name that is asked for and has no value: x + a = 0, find a.
-    fn unknown_of(&self, file: &SourceFile, asked: Span, conditions: &[(Span, bool)]) -> Option<Expr> {
+    pub(in crate::session) fn unknown_of(
+        &self,
+        file: &SourceFile,
+        asked: Span,
+        conditions: &[(Span, bool)],
+    ) -> Option<Expr> {
         let mut equations = Vec::new();
         for (span, _) in conditions {
             let read = self.read(file, *span).ok()?;
@@ -205,16 +210,19 @@ impl Session {
         asked: Span,
         equations: Vec<Expr>,
     ) -> Option<Expr> {
-        let name = self.read(file, asked).ok()?;
+        let names = self.names_in(file, asked)?;
         let mut machine = evaluator::machine_in(&self.env);
-        let symbol = name_of(&name, &mut machine).filter(|symbol| self.env.get(symbol).is_none())?;
+        let mut free =
+            |name: &Expr| name_of(name, &mut machine).filter(|symbol| self.env.get(symbol).is_none());
         if equations.is_empty() || !equations.iter().all(is_equation) {
             return None;
         }
+        let symbols = names.iter().map(&mut free).collect::<Option<Vec<_>>>()?;
         // f[0, 1] for f = x^2: f is given
         let given = |equation: &Expr| {
             matches!(&equation.kind, Kind::Chain(left, _)
-                if matches!(&left.kind, Kind::Name(name) if !symbol.is_plain() && *name == symbol.base()))
+                if matches!(&left.kind, Kind::Name(name)
+                    if symbols.iter().any(|symbol| !symbol.is_plain() && *name == symbol.base())))
         };
         if equations.iter().any(given) {
             return None;
@@ -230,19 +238,23 @@ impl Session {
         }
         names.sort();
         names.dedup();
-        let indexed = !symbol.is_plain();
-        let like = |other: &&Symbol| if indexed { other.base() == symbol.base() } else { **other == symbol };
-        let unknowns: Vec<Expr> =
-            names.iter().filter(like).map(|name| Expr { span: asked, ..symbol_expr(name) }).collect();
-        if unknowns.is_empty() {
+        let indexed = symbols.iter().any(|symbol| !symbol.is_plain());
+        let is = |symbol: &Symbol, other: &Symbol| match symbol.is_plain() {
+            true => other == symbol,
+            false => other.base() == symbol.base(),
+        };
+        if !symbols.iter().all(|symbol| names.iter().any(|other| is(symbol, other))) {
             return None;
         }
+        let like = |other: &&Symbol| symbols.iter().any(|symbol| is(symbol, other));
+        let unknowns: Vec<Expr> =
+            names.iter().filter(like).map(|name| Expr { span: asked, ..symbol_expr(name) }).collect();
         let list = |items: Vec<Expr>| Expr::new(Kind::List(items), asked);
         let variable =
             names.iter().find(|name| indexed && name.is_plain() && roles::is_variable(name.base()));
         let count = equations.len();
         let mut arguments = vec![list(equations)];
-        if indexed || count == 1 {
+        if indexed || count == 1 || symbols.len() > 1 {
             arguments.push(list(unknowns));
         }
         arguments.extend(variable.map(|name| named("all", symbol_expr(name))));

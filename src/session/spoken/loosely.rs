@@ -7,7 +7,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Equals;
 use crate::language::functions::function_in_words;
-use crate::language::lexicon::fractions;
+use crate::language::lexicon::{fractions, wanted};
 use crate::language::syntax;
 use crate::session::{Answer, Session, defines};
 use std::cell::Cell;
@@ -37,7 +37,7 @@ impl Session {
     /// The first reading that has an answer, with the words that it leaves aside.
     fn loosely(&self, file: &SourceFile, whole: Span) -> Option<(Expr, Vec<Span>, Answer, Session)> {
         let text = file.slice(whole);
-        if text.len() > LONGEST {
+        if text.len() > LONGEST || wanted::is_of_another(text) {
             return None;
         }
         let fractions = fractions::with_digits(text);
