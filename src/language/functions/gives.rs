@@ -122,7 +122,8 @@ impl Gives {
             Gives::Scalar => is_scalar(value),
             Gives::Function => is_function(value) || all(value, is_function),
             Gives::Scalars => all(value, is_scalar),
-            Gives::Functions => all(value, is_function),
+            // The dual functions of B-splines are piecewise.
+            Gives::Functions => all(value, |item| is_function(item) || matches!(item, Value::Piecewise(_))),
             Gives::Point => is_point(value),
             Gives::Points => all(value, is_point),
             Gives::Polar => {
