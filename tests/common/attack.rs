@@ -145,11 +145,11 @@ fn notes(kind: Container, input: &[u8], limits: &Limits) -> Outcome {
         return Err(format!("a finding at {:?} is no piece of the page", finding.span));
     }
     let changed = fixed(file.text(), &fixes(&document, &report));
-    let listed = polarform::judge::finding::FileReport {
-        file: file.clone(),
-        findings: listing(&document),
-        problems: document.problems.clone(),
-    };
+    let listed = polarform::judge::finding::FileReport::new(
+        file.clone(),
+        listing(&document),
+        document.problems.clone(),
+    );
     let reports = [report];
     let options = TextOptions { color: false, verbose: true, quiet: false };
     let written = [

@@ -92,8 +92,7 @@ fn told(document: &Document, kind: Container, report: &FileReport) -> Result<Val
         let (from, to) = places.of(finding.span);
         formula["from"] = from.into();
         formula["to"] = to.into();
-        let alone =
-            FileReport { file: report.file.clone(), findings: vec![finding.clone()], problems: Vec::new() };
+        let alone = FileReport::new(report.file.clone(), vec![finding.clone()], Vec::new());
         let mut place = |fix: polarform::notes::report::Fix| {
             let (from, to) = places.of(fix.span);
             json!({"from": from, "to": to, "text": fix.text})
