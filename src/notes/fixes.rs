@@ -107,11 +107,11 @@ impl<'a> Written<'a> {
         let within = |formula: &&'a Formula| {
             formula.span.start <= finding.span.start && finding.span.end <= formula.span.end
         };
-        let formulas = document.items.iter().filter_map(|item| match item {
+        let mut formulas = document.items.iter().filter_map(|item| match item {
             Item::Formula(formula) => Some(formula),
             _ => None,
         });
-        let formula = formulas.filter(within).last();
+        let formula = formulas.rfind(within);
         let plain = formula.is_some_and(|formula| formula.style == Style::Plain);
         let notation = if plain { Notation::Plain } else { Notation::Latex };
         let found = formula.and_then(|formula| {
