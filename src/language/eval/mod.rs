@@ -51,6 +51,8 @@ pub use env::Env;
 pub(crate) use machine::Evaluated;
 pub use machine::{Machine, Reading};
 pub use names::name_of;
+pub(crate) use statement::is_decimal_comma;
+#[cfg(feature = "notes")]
+pub(crate) use statement::is_decimal_part;
 pub use statement::{Equals, Outcome, evaluate};
-pub(crate) use statement::{is_decimal_comma, is_decimal_part};
 pub use tools::{Callable, Judge, Slot, Tools};
