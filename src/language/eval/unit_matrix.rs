@@ -1,4 +1,4 @@
-//! The identity matrix by its usual letter: A - λ I.
+//! Letters in sums that may mean more than themselves: I beside a matrix, A - λ I, and t beside a curve.
 
 use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
@@ -28,7 +28,25 @@ impl Machine {
             }
             both => both,
         };
+        if let (Value::Geometry(curve), Value::Scalar(formula))
+        | (Value::Scalar(formula), Value::Geometry(curve)) = (&left, &right)
+        {
+            self.beside_curve(&curve.parameter(), formula, span);
+        }
         arithmetic::add(left, right).at(span)
+    }
+
+    /// In bezier([1, 3]) + t^2 the letter t is one of any number, added to each control point: a note says so.
+    fn beside_curve(&mut self, parameter: &Symbol, formula: &Fraction, span: Span) {
+        if !formula.variables().contains(parameter) || self.has_reading() {
+            return;
+        }
+        let text = format!("{parameter} is a letter beside the curve here, not its parameter");
+        let note = Diagnostic::note(Code::StandardMeaning, text).at(span);
+        let hint = format!(
+            "write a polynomial as a curve, too: bezier([1, 3]) + bezier(bezier_points({parameter}^2))"
+        );
+        self.note(note.hint(hint));
     }
 
     /// c I as a matrix of the size of another; any other formula as it is.
