@@ -273,11 +273,13 @@ pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&
         .then_some("true for positive integers")
 }
 
-/// The side with the terms after a sum that is not closed taken into it: Σ (2i − 1) for Σ 2i − 1.
+/// The side with the terms after a sum or product that is not closed taken into it: Σ (2i − 1) for Σ 2i − 1.
 fn reaching_on(side: &Expr) -> Expr {
     let Kind::Add(terms) = &side.kind else { return side.clone() };
-    let sums =
-        |term: &Term| term.sign == Sign::Plus && matches!(&term.expr.kind, Kind::Big { op: BigOp::Sum, .. });
+    let sums = |term: &Term| {
+        let open = matches!(&term.expr.kind, Kind::Big { op: BigOp::Sum | BigOp::Product, .. });
+        term.sign == Sign::Plus && open
+    };
     let Some(at) = terms.iter().position(sums).filter(|&at| at + 1 < terms.len()) else {
         return side.clone();
     };
