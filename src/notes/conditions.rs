@@ -57,6 +57,7 @@ pub(super) fn attach(statements: &mut [Statement]) {
     give_first(statements);
     give_intervals(statements);
     give_what_exists(statements);
+    give_cases_in_words(statements);
     for at in 0..statements.len() {
         let unread = match &statements[at].said {
             Said::Bare(side, _) | Said::Condition(side) => side.is_unread(),
@@ -148,6 +149,34 @@ fn give_what_exists(statements: &mut [Statement]) {
             {
                 chain.exists.extend(names.iter().cloned());
             }
+        }
+    }
+}
+
+/// "f(x) = 0 if $x$ is not rational": it is not said of every x.
+fn give_cases_in_words(statements: &mut [Statement]) {
+    const IF: &[&str] = &[
+        "if", "when", "whenever", "unless", "wenn", "falls", "sofern", "si", "lorsque", "cuando", "若", "当",
+    ];
+    for at in 1..statements.len() {
+        let Said::Bare(side, _) = &statements[at].said else { continue };
+        let gap = statements[at].gap.trim().trim_start_matches([',', '，']).trim().to_lowercase();
+        if !IF.contains(&gap.as_str()) || !matches!(side.expr.kind, Kind::Name(_)) {
+            continue;
+        }
+        let (name, group, formula) =
+            (side.expr.clone(), statements[at].place.group, statements[at].place.formula);
+        let before = &mut statements[at - 1];
+        if let Said::Chain(chain) = &mut before.said
+            && before.place.group == group
+            && before.place.formula + 1 == formula
+            && chain.relations.len() == 1
+            && Head::of(&chain.sides[0].expr)
+                .is_some_and(|head| head.flat().iter().any(|argument| argument.same_as(&name)))
+        {
+            // Nothing is known of the numbers of which words say that.
+            let said = Expr::from(Kind::Text(gap));
+            chain.conditions.push(Expr::relation(name, Rel::In, said));
         }
     }
 }

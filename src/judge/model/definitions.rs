@@ -96,6 +96,15 @@ impl Model {
         if pieces > 1 && self.allows(machine, definition, &bound).is_none() {
             return Some(Err(Diagnostic::error(Code::Domain, OPEN_PIECE)));
         }
+        // f(x) = 0 if x is not rational
+        let in_words = |condition: &Expr| {
+            matches!(&condition.kind, Kind::Chain(_, links)
+                if links.iter().any(|link| matches!(link.expr.kind, Kind::Text(_))))
+        };
+        if values.is_some() && definition.conditions.iter().any(in_words) {
+            let message = format!("for which numbers {} is so is said in words", head.base);
+            return Some(Err(Diagnostic::error(Code::Domain, message)));
+        }
         if values.is_some() && self.is_of_functions(definition, &bound) {
             let message = "it is given a formula for a function here";
             return Some(Err(Diagnostic::error(Code::Unsupported, message)));
