@@ -278,10 +278,16 @@ impl Session {
             return Ok(answers);
         }
         let known = |word: &str| defines(&self.env, word);
-        if let Some(sentence) = syntax::sentence(file.slice(whole), &known)
-            && let Some(answers) = self.run_sentence(file, &sentence.shifted(whole.start), equals)?
-        {
-            return Ok(answers);
+        if let Some(sentence) = syntax::sentence(file.slice(whole), &known) {
+            let sentence = sentence.shifted(whole.start);
+            // a and b with p(1) = 0 and p(2) = 3
+            if let Some(formula) = self.unknown_of(file, sentence.formula, &sentence.conditions) {
+                let answer = self.evaluated_as(file, formula, sentence.formula, Equals::Claims)?;
+                return Ok(vec![answer]);
+            }
+            if let Some(answers) = self.run_sentence(file, &sentence, equals)? {
+                return Ok(answers);
+            }
         }
         let statement = guarded(&limits, || read_in(&self.env, file, Some(whole))).map_err(fail)?;
         if let Some(sentence) = given::beside(&statement)

@@ -206,15 +206,6 @@ impl Session {
         if matches!(formula.kind, Kind::Text(_)) {
             return Ok(None);
         }
-        // find a and b with p(1) = 0 and p(2) = 3
-        if meant.is_none()
-            && let Some(solved) = self.unknown_of(file, sentence.formula, &sentence.conditions)
-        {
-            return self
-                .clone()
-                .evaluated_as(file, solved, sentence.formula, Equals::Claims)
-                .map(|answer| Some(vec![answer]));
-        }
         let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {
             let read =
