@@ -45,11 +45,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 /// use polarform::judge::finding::{FileReport, Verdict};
 /// use polarform::notes::report::Tally;
 /// use polarform::source::SourceFile;
-/// let report = FileReport {
-///     file: SourceFile::new("empty.md", ""),
-///     findings: Vec::new(),
-///     problems: Vec::new(),
-/// };
+/// let report = FileReport::new(SourceFile::new("empty.md", ""), Vec::new(), Vec::new());
 /// let tally = Tally::of(&[report]);
 /// assert_eq!((tally.claims(), tally.definitions(), tally.count(Verdict::Refuted)), (0, 0, 0));
 /// ```

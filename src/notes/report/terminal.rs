@@ -58,7 +58,7 @@ pub struct TextOptions {
 ///     notes: Vec::new(),
 /// };
 /// let file = SourceFile::new("sums.md", "$2 + 2 = 5$");
-/// let report = FileReport { file, findings: vec![wrong], problems: Vec::new() };
+/// let report = FileReport::new(file, vec![wrong], Vec::new());
 /// let text = render_text(&[report], TextOptions::default());
 /// assert!(text.starts_with("refuted: the left side is 4\n --> sums.md:1:10\n"));
 /// ```
