@@ -38,7 +38,7 @@ pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
             }
             false => {
                 let written = Written::of(document, finding);
-                let found = pieces(&written, suggestion, written.notation);
+                let found = pieces(&written, suggestion);
                 found
                     .into_iter()
                     .map(|fix| Fix { span: written.in_file(fix.span), ..fix })
@@ -74,13 +74,13 @@ pub(super) fn in_own_words(document: &Document, finding: &mut Finding) {
     if matches!(written.notation, Notation::Plain) {
         return;
     }
-    let source = document.file.slice(written.in_file(Span::new(0, written.text.len())));
-    let found = pieces(&written, suggestion, Notation::Latex);
+    let whole = written.in_file(Span::new(0, written.text.len()));
+    let source = document.file.slice(whole);
+    let found = pieces(&written, suggestion);
     if found.iter().any(|fix| fix.span.start > 0 || fix.span.end < written.text.len()) {
-        let start = written.in_file(Span::new(0, written.text.len())).start;
         let place = |span: Span| {
             let span = written.in_file(span);
-            Span::new(span.start - start, span.end - start)
+            Span::new(span.start - whole.start, span.end - whole.start)
         };
         let found: Vec<Fix> = found.into_iter().map(|fix| Fix { span: place(fix.span), ..fix }).collect();
         let text = without_columns(&fixed(source, &found));
@@ -135,8 +135,8 @@ impl<'a> Written<'a> {
     }
 
     /// A text that stands for itself.
-    fn alone(text: &'a str) -> Self {
-        Written { text, notation: Notation::Latex, start: 0, places: None }
+    fn alone(text: &'a str, notation: Notation) -> Self {
+        Written { text, notation, start: 0, places: None }
     }
 
     fn in_file(&self, span: Span) -> Span {
@@ -234,8 +234,8 @@ fn without_columns(text: &str) -> String {
 }
 
 /// What is replaced in the source of a relation.
-fn pieces(written: &Written, suggestion: &str, notation: Notation) -> Vec<Fix> {
-    let source = written.text;
+fn pieces(written: &Written, suggestion: &str) -> Vec<Fix> {
+    let Written { text: source, notation, .. } = *written;
     let whole = |text: String| vec![Fix { span: Span::new(0, source.len()), text }];
     let Ok(wanted) = latex::read(suggestion) else { return whole(suggestion.to_owned()) };
     let plain = matches!(notation, Notation::Plain);
@@ -408,7 +408,7 @@ fn in_string(source: &str, suggestion: &str) -> Vec<Fix> {
     }
     let fix = Fix {
         span: Span::new(0, source.len()),
-        text: quoted(&fixed(&text, &pieces(&Written::alone(&text), suggestion, Notation::Latex))),
+        text: quoted(&fixed(&text, &pieces(&Written::alone(&text, Notation::Latex), suggestion))),
     };
     vec![fix]
 }
@@ -418,7 +418,7 @@ mod tests {
     use super::*;
 
     fn after(source: &str, suggestion: &str) -> String {
-        fixed(source, &pieces(&Written::alone(source), suggestion, Notation::Latex))
+        fixed(source, &pieces(&Written::alone(source, Notation::Latex), suggestion))
     }
 
     #[test]
@@ -444,7 +444,7 @@ mod tests {
     #[test]
     fn in_plain_notation_nothing_of_latex_is_written() {
         let source = "F(t) = t^2 + 2t";
-        let found = pieces(&Written::alone(source), r"F(t) = \frac{1}{3} t^2", Notation::Plain);
+        let found = pieces(&Written::alone(source, Notation::Plain), r"F(t) = \frac{1}{3} t^2");
         let text = fixed(source, &found);
         assert!(!text.contains('\\') && text.starts_with("F(t) = "), "{text}");
     }

@@ -296,10 +296,10 @@ impl Trial<'_> {
         let mut all = self.context.visible(families::SPLINE, self.place);
         let defined = all.find(|(_, definition, _)| general(&definition.head));
         let indexed = |expr: &Expr| has_members(expr, &self.facts.knot_letters);
-        if self.sides.iter().any(|side| has_cases_of_variables(side)) {
-            return !self.sides.iter().any(|side| indexed(side));
-        }
         let free = !self.sides.iter().any(|side| indexed(side));
+        if self.sides.iter().any(|side| has_cases_of_variables(side)) {
+            return free;
+        }
         match defined.map(|(_, definition, _)| &definition.body) {
             Some(Body::Formula(body)) => {
                 free && (!indexed(body) || self.sides.iter().any(|side| is_shifted(side)))

@@ -89,15 +89,12 @@ impl Model {
         }
         let mut values = Vec::new();
         for (factor, _) in factors {
-            match repetition(factor) {
-                Some(_) => values.extend(self.copies(machine, factor)?),
-                None => values.push(self.argument(machine, factor)?),
-            }
+            values.extend(self.copies(machine, factor)?);
         }
         Ok(Some(values))
     }
 
-    /// The values that a power stands for: t^3, (t + h)^{(m)}.
+    /// The values that an argument stands for: one, or as many as a power says, t^3, (t + h)^{(m)}.
     pub(super) fn copies(&self, machine: &mut Machine, factor: &Expr) -> Result<Vec<Value>, Diagnostic> {
         let Some((base, exponent)) = repetition(factor) else {
             return Ok(vec![self.argument(machine, factor)?]);

@@ -7,38 +7,22 @@ use crate::formula::source::Span;
 /// Words between two things that are asked.
 const AND: &[&str] = &["and", "und", "et", "y", "e", "以及", "及", "和"];
 
-/// Words that stand for what was asked first, or for what is done with it.
-const ITS: &[&str] = &[
-    "its",
+/// Words for what is done with that what was asked first.
+const AGAIN: &[&str] = &[
     "evaluate",
     "evaluate it",
     "the value",
     "value",
-    "seinen",
-    "sein",
-    "seine",
-    "ihr",
-    "ihren",
-    "ihre",
     "den wert",
     "werte sie",
-    "sa",
-    "son",
-    "ses",
     "la valeur",
     "l'évaluer",
-    "su",
-    "sus",
     "el valor",
-    "il suo",
-    "la sua",
     "il valore",
-    "其",
-    "它的",
     "在",
 ];
 
-/// Words of these that stand for an object before them, whatever else is said.
+/// Words that stand for an object before them, whatever else is said.
 const POSSESSIVES: &[&str] = &[
     "its", "seinen", "seine", "sein", "ihren", "ihre", "ihr", "sa", "son", "ses", "su", "sus", "il suo",
     "la sua", "其", "它的",
@@ -75,7 +59,7 @@ pub(crate) fn conjunctions(text: &str) -> Vec<(usize, usize)> {
 pub(crate) fn and_its(text: &str) -> Option<(usize, usize)> {
     conjunctions(text).into_iter().find(|(end, start)| {
         let rest = text.get(*start..).unwrap_or_default().trim_start();
-        *end > 0 && starts_with_one_of(rest, ITS).is_some()
+        *end > 0 && [AGAIN, POSSESSIVES].into_iter().any(|words| starts_with_one_of(rest, words).is_some())
     })
 }
 

@@ -183,14 +183,15 @@ impl Session {
         if most == 0 {
             return None;
         }
-        // its value at 2 and its derivative at 1
-        if let Some((end, start)) = wanted::and_its(file.slice(text))
-            && let Some(first) =
-                self.question(file, Span::new(text.start, text.start + end), object, name, false)
-            && let Some(mut found) =
-                self.questions(file, Span::new(text.start + start, text.end), object, name, most - 1)
-        {
+        let cut = |(end, start): (usize, usize)| {
+            let first = self.question(file, Span::new(text.start, text.start + end), object, name, false)?;
+            let rest = Span::new(text.start + start, text.end);
+            let mut found = self.questions(file, rest, object, name, most - 1)?;
             found.insert(0, first);
+            Some(found)
+        };
+        // its value at 2 and its derivative at 1
+        if let Some(found) = wanted::and_its(file.slice(text)).and_then(cut) {
             return Some(found);
         }
         if let Some(one) = self.question(file, text, object, name, false) {
@@ -200,13 +201,7 @@ impl Session {
         let stops = syntax::continuations(file.slice(text)).into_iter();
         cuts.extend(stops.filter_map(|stop| Some((stop.end, stop.rest(file.slice(text))?.start))));
         cuts.sort_unstable();
-        cuts.into_iter().take(PLACES).find_map(|(end, start)| {
-            let first = self.question(file, Span::new(text.start, text.start + end), object, name, false)?;
-            let rest = Span::new(text.start + start, text.end);
-            let mut found = self.questions(file, rest, object, name, most - 1)?;
-            found.insert(0, first);
-            Some(found)
-        })
+        cuts.into_iter().take(PLACES).find_map(cut)
     }
 
     /// One question: a formula with a letter for the object, or words about it.
@@ -266,14 +261,15 @@ impl Session {
 
 /// "The cubic has the control points 0, 1, 2, 4" speaks of the curve with these points, and not of the points.
 fn of_its_points(object: Expr) -> Expr {
-    let Kind::Apply(callee, groups) = &object.kind else { return object };
-    match (&callee.kind, groups.as_slice()) {
-        (Kind::Name(own), [one]) if own == "control_points" => match one.as_slice() {
-            [Expr { kind: Kind::Apply(curve, _), .. }] if matches!(&curve.kind, Kind::Name(name) if matches!(name.as_str(), "bezier" | "bspline")) => {
-                one[0].clone()
-            }
-            _ => object,
+    let called = |expr: &Expr, names: &[&str]| match &expr.kind {
+        Kind::Apply(callee, groups) => match (&callee.kind, groups.as_slice()) {
+            (Kind::Name(own), [arguments]) if names.contains(&own.as_str()) => Some(arguments.clone()),
+            _ => None,
         },
+        _ => None,
+    };
+    match called(&object, &["control_points"]).as_deref() {
+        Some([curve]) if called(curve, &["bezier", "bspline"]).is_some() => curve.clone(),
         _ => object,
     }
 }
