@@ -1,14 +1,16 @@
 //! The examples, proofs and cases of a page, as labelled paragraphs and as environments, and the examples that words go
 //! back to.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::speech::{self, Block};
-use crate::formula::{Kind, Rel};
+use crate::document::{Document, Enclosure, Item};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::page::statement::{Chain, Layout, Place, Role, Said, Statement};
 use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::roles::is_variable;
 use crate::language::{latex, write};
+use num_traits::Zero;
 
 /// What is open at a place of the page.
 #[derive(Default)]
@@ -201,7 +203,9 @@ impl Changes {
     /// A formula after some words.
     pub(super) fn formula(&mut self, before: &str, text: &str) {
         // "We replace t^2 by (s t + …)/3": powers of the variable are no data.
-        if std::mem::take(&mut self.replacing) && is_power_of_a_variable(text) {
+        let replacing = std::mem::take(&mut self.replacing);
+        let power = replacing && is_power_of_a_variable(text);
+        if power || has_no_value(text) && speech::ends_with_a_change(before) {
             self.so_far -= 1;
         }
         self.last = Some(text.to_owned());
@@ -245,6 +249,12 @@ fn is_power_of_a_variable(text: &str) -> bool {
     text.split_once('^').is_some_and(|(name, _)| is_variable(name.trim()))
 }
 
+/// 0/0, for which a table of divided differences takes the derivative.
+fn has_no_value(text: &str) -> bool {
+    let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
+    latex::read(text).is_ok_and(|expr| matches!(&expr.kind, Kind::Div(_, below, _) if zero(below)))
+}
+
 /// "For c = (1, -1, 1) … For c = (1, 0, 1) …", "For f(x) = e^x … For f(x) = 1/(1-x) …": what comes after a name gets
 /// another value is said of other data.
 ///
@@ -278,6 +288,34 @@ pub(super) fn count_new_values(statements: &mut [Statement]) {
         let before = values.insert(write::text(&name.expr), now.clone());
         more += u32::from(before.is_some_and(|before| before.0 == now.0 && before.1 != now.1));
     }
+}
+
+/// So many words an item of a list may have that does no more than to give data.
+const WORDS_OF_DATA: usize = 8;
+
+/// The items of lists, by their numbers among all items of the document, that say in no sentence what they are about:
+/// "- weights $w_0 = 1$, $w_1 = 2$".
+pub(super) fn items_of_data(document: &Document) -> BTreeSet<usize> {
+    let mut open: Vec<(usize, String)> = Vec::new();
+    let mut found = BTreeSet::new();
+    for (at, item) in document.items.iter().enumerate() {
+        match item {
+            Item::Enter(Enclosure::Item) => open.push((at, String::new())),
+            Item::Words(span) => {
+                open.iter_mut().for_each(|(_, words)| words.push_str(&document.words(*span)));
+            }
+            Item::Leave(Enclosure::Item) => {
+                let Some((at, words)) = open.pop() else { continue };
+                let words = words.trim().trim_end_matches(['.', ';', ',']);
+                let few = words.split_whitespace().count() <= WORDS_OF_DATA && words.chars().count() < 60;
+                if few && !words.contains(['.', '。', '!', '?', '？', ':', '：']) {
+                    found.insert(at);
+                }
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// The number of the last part that words begin: 'b' of "Solution. a) …; b) …". A part has the same number wherever it

@@ -4,7 +4,9 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
-use super::blocks::{Blocks, Changes, count_new_values, lettered_part};
+use std::collections::BTreeSet;
+
+use super::blocks::{Blocks, Changes, count_new_values, items_of_data, lettered_part};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
@@ -55,9 +57,14 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         apart: None,
         part: None,
         table: Table::default(),
+        of_data: BTreeSet::new(),
     };
-    for item in &document.items {
+    let of_data = items_of_data(document);
+    for (at, item) in document.items.iter().enumerate() {
         reader.item(item);
+        if of_data.contains(&at) {
+            reader.of_data.insert(reader.next_scope);
+        }
     }
     reader.end_table();
     let mut statements = reader.statements;
@@ -100,6 +107,8 @@ struct Reader<'a> {
     /// The part of a paragraph: "a) …, b) …".
     part: Option<u32>,
     table: Table,
+    /// The items of lists that do no more than to give data, which hold for all after them.
+    of_data: BTreeSet<u32>,
 }
 
 /// An open section.
@@ -303,7 +312,10 @@ impl Reader<'_> {
 
     /// The numbers of the items of lists that are open, of a paragraph with a title, and of a part of a paragraph.
     fn items(&self) -> Vec<u32> {
-        let items = self.enclosures.iter().filter(|(own, _)| *own == Enclosure::Item);
+        let items = self
+            .enclosures
+            .iter()
+            .filter(|(own, scope)| *own == Enclosure::Item && !self.of_data.contains(scope));
         self.apart.into_iter().chain(items.map(|(_, scope)| *scope)).chain(self.part).collect()
     }
 

@@ -217,7 +217,7 @@ impl Checker {
                     continue;
                 }
                 used.push(Used { sides, from: Some(own.as_ref()), written: true });
-            } else {
+            } else if !hides_arguments(&sides) {
                 rules.push((own.as_ref(), sides));
             }
         }
@@ -302,6 +302,13 @@ impl Checker {
         };
         called.into_iter().filter(is_form).collect()
     }
+}
+
+/// Whether the names of a formula for a function stand for its arguments, too: f(t_1, t_2) = e_2 + 2e_1.
+fn hides_arguments((left, right): &Sides) -> bool {
+    let own = bases(right);
+    let shown = |argument: &Expr| bases(argument).is_subset(&own);
+    Head::of(left).is_some_and(|head| !own.is_empty() && !head.flat().into_iter().all(shown))
 }
 
 /// The terms of a claim and of equations.

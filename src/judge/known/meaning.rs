@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::formula::{Expr, Kind, Rel, Term};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::{Body, Condition, Definition, Source, is_variable, value_given};
-use crate::judge::page::object::Sort;
+use crate::judge::page::object::{Object, Sort};
 use crate::judge::page::statement::{Chain, Curve, Place};
 use crate::judge::written::names::{
     Head, base_of, bases, calls, capital_of, has_members, integer_names, is_capital, is_index_letter,
@@ -481,10 +481,17 @@ impl Checker {
                 .iter()
                 .any(|side| side.has(&|part| matches!(&part.kind, Kind::Apply(callee, _) if member(callee))));
         let number = |knot: &Expr| self::bases(knot).is_empty() && knot.kind != Kind::Ellipsis;
+        let mut heads = Vec::new();
+        for side in [left, right] {
+            walk(side, &mut |part| heads.extend(Head::of(part).filter(|head| !head.lower.is_empty())));
+        }
         let given = bases.into_iter().any(|base| {
             self.context.object_called(&base, place).is_some_and(|declared| {
-                let knots = &declared.object.knots;
-                !knots.is_empty() && (!numbered || knots.iter().any(number))
+                let Object { knots, sort, .. } = &*declared.object;
+                // The knots of N_0 are not those of N_1.
+                let own = *sort != Sort::BSpline
+                    || heads.iter().all(|head| head.base != base || declared.object.name_for(head).is_some());
+                !knots.is_empty() && (!numbered || own && knots.iter().any(number))
             }) || !at_number
                 && self.context.visible(&base, place).any(|(_, d, _)| {
                     d.head.arguments.is_some()

@@ -21,6 +21,7 @@ use crate::judge::repair::{self, Repair};
 use crate::judge::verdict::attempt::{Attempt, beyond_degree, restricted};
 use crate::judge::written::bare;
 use crate::judge::written::names::{Head, bases, calls, is_standard, walk};
+use crate::language::diagnostic::Code;
 use crate::language::lexicon::roles::is_variable;
 use crate::math::poly::Symbol;
 
@@ -65,6 +66,8 @@ impl Checker {
             // Where the count fits it says what the degree is.
             && tally.holds == 0
             && let Some((integers, message)) = tally.mismatches.first()
+            // f(t_{i+1}, …, t_{i+p}) of a form of degree 2 has as many as it takes for p = 2.
+            && tally.errors.iter().all(|error| error.code == Code::Arity)
         {
             let values: Vec<String> =
                 integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();

@@ -126,8 +126,10 @@ impl Reader<'_> {
             }
             return Some(end);
         }
-        let own =
-            matches!(self.tokens.get(at), Some(Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)));
+        let own = matches!(
+            self.tokens.get(at),
+            Some(Token::Word(Word::Noun(Sort::ControlPoints | Sort::Knots) | Word::Weights))
+        );
         let next = if own { at } else { self.skip_fillers(at + 1) };
         let word = match self.tokens.get(at)? {
             // with … and weights …
@@ -143,7 +145,7 @@ impl Reader<'_> {
             }
             Token::Word(Word::Der) => &Word::Of,
             // …, the control points being b_0, …, b_3 and the weights 1, 2, 1
-            Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)
+            Token::Word(Word::Noun(Sort::ControlPoints | Sort::Knots) | Word::Weights)
                 if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
                     && object.is_without(&self.tokens[at])
                     && self.formula_at(at + 1 + usize::from(self.is(at + 1, &Word::Be))).is_some() =>
@@ -170,7 +172,7 @@ impl Reader<'_> {
             // 曲线的控制点为 b_0, b_1, b_2
             Token::Word(Word::Owns)
                 if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
-                    && matches!(self.tokens.get(at + 1), Some(token @ Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)) if object.is_without(token)) =>
+                    && matches!(self.tokens.get(at + 1), Some(token @ Token::Word(Word::Noun(Sort::ControlPoints | Sort::Knots) | Word::Weights)) if object.is_without(token)) =>
             {
                 &Word::With
             }
@@ -425,6 +427,7 @@ impl Object {
     fn is_without(&self, token: &Token) -> bool {
         match token {
             Token::Word(Word::Weights) => self.weights.is_empty(),
+            Token::Word(Word::Noun(Sort::Knots)) => self.knots.is_empty(),
             _ => self.points.is_empty(),
         }
     }

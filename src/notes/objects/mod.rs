@@ -51,10 +51,16 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
     let mut talk = Talk::default();
     let mut rows: Vec<Row> = Vec::new();
+    let mut table = Vec::new();
     for (count, sentence) in sentences.iter().enumerate() {
-        match tables::row(sentence, &formulas) {
+        let cells = tables::cells(sentence, &formulas);
+        match cells.as_ref().and_then(|cells| tables::row(cells)) {
             Some(row) => rows.push(row),
             None => rows.clear(),
+        }
+        match cells {
+            Some(cells) => table.push(cells),
+            None => tables::put(tables::data(&std::mem::take(&mut table)), &talk.topic, &mut found),
         }
         let above = count.checked_sub(1).map(|before| sentences[before].as_slice());
         for (name, value) in above.map(|above| tables::values(above, sentence, &formulas)).unwrap_or_default()
@@ -80,6 +86,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         reader.read();
         talk = reader.talk;
     }
+    tables::put(tables::data(&table), &talk.topic, &mut found);
     for sentence in sentences {
         told_before(sentence, statements, &mut found);
     }
@@ -362,7 +369,11 @@ impl<'a> Reader<'a> {
             let number = (from..to).find_map(|at| self.formula_at(at));
             let degree = Some(Expr::int(object.values.len() as i64 - 1));
             let points = std::mem::take(&mut object.values);
-            let object = Object { names, degree, points, sort: Sort::BezierCurve, ..object };
+            let spline = names.first().and_then(|name| self.known(name));
+            let object = match spline.filter(|known| known.sort == Sort::SplineCurve) {
+                Some(known) => Object { points, ..known },
+                None => Object { names, degree, points, sort: Sort::BezierCurve, ..object },
+            };
             if let Some(number) = number {
                 self.taken = to;
                 self.found.entry(number).or_default().push(object);
@@ -404,16 +415,36 @@ impl<'a> Reader<'a> {
         if !object.is_function() && self.said(number).iter().any(is_call) || points && self.has_a_part(from) {
             return;
         }
-        // "Let N be the B-spline of degree 3: its knots are …"; "p is a Bézier curve. Its control points are …"
-        if let (Sort::Knots | Sort::ControlPoints, [owner]) = (&object.sort, of.as_slice())
-            && let Some(mut known) = self.known(owner)
+        // "Let N be the B-spline of degree 3: its knots are …"; "p is a Bézier curve. Its control points are …", or "the
+        // control points are …"
+        let owned_by = match (of.as_slice(), self.talk.topic.as_slice()) {
+            ([owner], _) => Some(owner),
+            ([], [owner]) if definite && !anonymous && !self.talk.is_unnamed() => {
+                let lacks = |known: &Object| match object.sort {
+                    Sort::Knots => known.sort == Sort::SplineCurve && known.knots.is_empty(),
+                    _ => points,
+                };
+                Some(owner).filter(|owner| self.known(owner).as_ref().is_some_and(lacks))
+            }
+            _ => None,
+        };
+        if matches!(object.sort, Sort::Knots | Sort::ControlPoints)
+            && let Some(mut known) = owned_by.and_then(|owner| self.known(owner))
         {
+            let curve = match known.sort {
+                Sort::BezierCurve => true,
+                Sort::SplineCurve => known.interval.is_none(),
+                _ => false,
+            };
             let (list, free) = match object.sort {
                 Sort::Knots => (&mut known.knots, true),
-                _ => (&mut known.points, known.sort == Sort::BezierCurve),
+                _ => (&mut known.points, curve),
             };
             if free && (list.is_empty() || object.sort == Sort::Knots) {
-                *list = names.clone();
+                *list = match names.as_slice() {
+                    [only] => only.elements().map_or_else(|| names.clone(), <[Expr]>::to_vec),
+                    _ => names.clone(),
+                };
                 self.taken = to;
                 self.found.entry(number).or_default().push(known);
                 return;

@@ -130,6 +130,11 @@ pub fn replaces_next(words: &str) -> bool {
     changes_data(last, false) && last.split_whitespace().count() <= 4
 }
 
+/// Whether the last word is one that puts something else in the place of what follows: "and replace".
+pub fn ends_with_a_change(words: &str) -> bool {
+    words.split_whitespace().next_back().is_some_and(|word| changes_data(word, false))
+}
+
 /// Whether a sentence ends within these words or right before them.
 pub fn ends_a_sentence(words: &str) -> bool {
     words.trim_start().starts_with(char::is_uppercase)

@@ -232,6 +232,7 @@ pub const WORDS: &[(&str, Word)] = &[
     ("of the form", Of),
     ("'s", Owns),
     ("with", With),
+    ("whose", With),
     ("multiplicity", Multiplicity),
     ("end points", Ends),
     ("endpoints", Ends),

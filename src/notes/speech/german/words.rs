@@ -200,6 +200,8 @@ pub const WORDS: &[(&str, Word)] = &[
     ("zu", Of),
     ("zum", Of),
     ("mit", With),
+    ("deren", With),
+    ("dessen", With),
     ("vielfachheit", Multiplicity),
     ("endpunkten", Ends),
     ("endpunkte", Ends),
