@@ -39,8 +39,9 @@ use crate::language::eval::{Machine, Reading};
 use crate::language::lexicon::{letters, roles};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
-use crate::math::number::Rational;
-use crate::math::poly::{Fraction, Index, Symbol};
+use crate::math::number::{Rational, rational};
+use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
+use num_traits::Zero;
 
 type Evaluated = Result<Value, Diagnostic>;
 
@@ -329,7 +330,10 @@ impl Reading for Model {
                 let value = machine.eval(body).ok()?.as_rational()?;
                 Some(Ok(Value::Scalar(roots::square_root(&value)?)))
             }
-            Kind::Apply(callee, groups) => self.call(machine, callee, groups, expr),
+            Kind::Apply(callee, groups) => self
+                .of_an_angle(machine, callee, groups)
+                .map(Ok)
+                .or_else(|| self.call(machine, callee, groups, expr)),
             Kind::Add(terms) => self.sum(machine, terms, expr),
             Kind::Mul(factors) => self.product(machine, factors, expr),
             Kind::Pow(base, exponent) => self.power(machine, base, exponent, expr),
@@ -376,6 +380,28 @@ impl Reading for Model {
 }
 
 impl Model {
+    /// cos(2π/3), sin(π/6): the values at multiples of π that are made of square roots.
+    fn of_an_angle(&self, machine: &mut Machine, callee: &Expr, groups: &[Vec<Expr>]) -> Option<Value> {
+        let Kind::Name(name) = &callee.kind else { return None };
+        let quarter = match name.as_str() {
+            "cos" => Rational::zero(),
+            "sin" => rational(1, 2),
+            _ => return None,
+        };
+        let [group] = groups else { return None };
+        let [angle] = group.as_slice() else { return None };
+        let Value::Scalar(angle) = machine.eval(angle).ok()? else { return None };
+        let turn = angle.as_polynomial()?.coefficients_in(&Symbol::new("pi"));
+        let turn: Vec<Rational> = turn.iter().map(MultiPoly::as_constant).collect::<Option<_>>()?;
+        let turn = match turn.as_slice() {
+            [] => Rational::zero(),
+            [zero] if zero.is_zero() => Rational::zero(),
+            [zero, turn] if zero.is_zero() => turn.clone(),
+            _ => return None,
+        };
+        Some(Value::Scalar(roots::cosine(&(turn - quarter))?))
+    }
+
     /// A point, or the coordinate of it that is meant.
     fn point(&self, machine: &mut Machine, coordinates: &[&Expr], expr: &Expr) -> Evaluated {
         let all: Vec<&Expr> = match self.choices.coordinate {

@@ -1,6 +1,7 @@
 //! What is suspicious in a definition, and equations that define coefficients.
 
 use crate::language::lexicon::roles;
+use crate::language::lexicon::words::is_function_word;
 use std::collections::BTreeSet;
 
 use crate::formula::{BigOp, Expr, Kind, Rel};
@@ -65,6 +66,10 @@ pub fn declares(chain: &Chain) -> Option<&'static str> {
 pub fn joins(context: &Context, chain: &Chain, place: &Place) -> Option<String> {
     let call = |expr: &Expr| -> Option<(String, Vec<String>)> {
         let head = Head::of(expr).filter(|head| head.arguments.is_some() && head.lower.is_empty())?;
+        // f(x) = \sqrt x is one function.
+        if head.base == "sqrt" || is_function_word(&head.base) {
+            return None;
+        }
         let known = context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some());
         let arguments = head.flat().iter().map(|argument| write::text(argument)).collect();
         (!known).then_some((head.base, arguments))

@@ -5,7 +5,7 @@
 
 use crate::judge::values::equality::differences;
 use crate::language::value::Value;
-use crate::math::number::{Int, Rational};
+use crate::math::number::{Int, Rational, integer, rational};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -49,6 +49,30 @@ pub fn square_root(q: &Rational) -> Option<Fraction> {
         factor(rest, &mut root, 1);
     }
     Some(root)
+}
+
+/// cos(qπ), where it is a polynomial in square roots: for multiples of 15° and of 36°.
+pub fn cosine(q: &Rational) -> Option<Fraction> {
+    let whole = q.abs() % integer(2);
+    let mirrored = if whole > integer(1) { integer(2) - whole } else { whole };
+    let obtuse = mirrored > rational(1, 2);
+    let acute = if obtuse { integer(1) - mirrored } else { mirrored };
+    let root = |number: i64| square_root(&integer(number));
+    let number = |value: Rational| Some(Fraction::from_rational(&value));
+    let part = |sum: Fraction, of: i64| sum.scaled(&rational(1, of));
+    let value = match (acute.numer().to_u64()?, acute.denom().to_u64()?) {
+        (0, 1) => number(integer(1))?,
+        (1, 2) => Fraction::zero(),
+        (1, 3) => number(rational(1, 2))?,
+        (1, 4) => part(root(2)?, 2),
+        (1, 6) => part(root(3)?, 2),
+        (1, 5) => part(number(integer(1))?.plus(&root(5)?), 4),
+        (2, 5) => part(root(5)?.minus(&number(integer(1))?), 4),
+        (1, 12) => part(root(6)?.plus(&root(2)?), 4),
+        (5, 12) => part(root(6)?.minus(&root(2)?), 4),
+        _ => return None,
+    };
+    Some(if obtuse { -value } else { value })
 }
 
 /// Whether a symbol stands for the root of a number.

@@ -40,7 +40,7 @@ impl Suspect<'_> {
             ),
             (Evidence::Closed, self.is_closed()),
             (Evidence::Calculation, self.is_calculation()),
-            (Evidence::Value, self.is_value()),
+            (Evidence::Value, self.is_value() || self.is_calculated_here()),
             (Evidence::Expansion, self.is_expansion()),
             (Evidence::Terms, self.agrees_in_part()),
             (Evidence::Names, self.is_of_a_described_point()),
@@ -443,6 +443,23 @@ impl Suspect<'_> {
             && self.used().any(made)
     }
 
+    /// Whether it claims another number for what is calculated from formulas that stand here: ∫_0^1 y(t) x'(t) dt.
+    fn is_calculated_here(&self) -> bool {
+        let [left, right] = self.sides();
+        let place = &self.statement.place;
+        let here = |definition: &Definition| {
+            (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+        };
+        matches!(self.statement.role, None | Some(Role::Claimed | Role::Always))
+            && self.is_equation()
+            && Head::of(left).is_none()
+            && bases(right).is_empty()
+            && self.symbols().is_empty()
+            && self.tally.record.unknown.is_empty()
+            && self.used().next().is_some()
+            && self.used().all(here)
+    }
+
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.
     fn is_expansion(&self) -> bool {
         let [left, right] = self.sides();
@@ -456,7 +473,10 @@ impl Suspect<'_> {
     fn is_calculation(&self) -> bool {
         let [left, right] = self.sides();
         let literal = |side: &Expr| matches!(side.kind, Kind::Number(_));
-        let numbers = self.sides().iter().all(|side| bases(side).iter().all(|name| is_function_word(name)));
+        let constant = |name: &String| is_function_word(name) || name == "pi";
+        let numbers = self.sides().iter().all(|side| bases(side).iter().all(constant));
+        // sin(π/3) = 1/2
+        let angle = bases(left).contains("pi");
         let circular = contains(right, left) && !bases(left).is_empty();
         // p + q = 2, where p and q were defined right before: one apart for all that is in them
         let plain = self.claimed()
@@ -469,7 +489,7 @@ impl Suspect<'_> {
             && self.statement.role != Some(Role::Introduced)
             && (self.claimed() || !matches!(&left.kind, Kind::Name(name) if is_index_letter(name)));
         self.rel() == Rel::Approx && numbers
-            || (self.claimed() || self.chain.relations.len() > 1)
+            || (self.claimed() || self.chain.relations.len() > 1 || self.statement.role.is_none() && angle)
                 && numbers
                 && !(literal(left) && literal(right))
             || self.has_no_solution() && !numbers && (circular || plain)
