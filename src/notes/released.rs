@@ -12,12 +12,14 @@ pub(super) struct Released<'a> {
     around: &'a [Around],
     paragraph: u32,
     names: BTreeSet<String>,
+    /// Those of them that words let be anything.
+    arbitrary: BTreeSet<String>,
 }
 
 impl<'a> Released<'a> {
     /// Of none yet.
     pub(super) fn new(around: &'a [Around]) -> Self {
-        Released { around, paragraph: 0, names: BTreeSet::new() }
+        Released { around, paragraph: 0, names: BTreeSet::new(), arbitrary: BTreeSet::new() }
     }
 
     /// "For every cubic F with polar form f, …"; "Let h > 0 be arbitrary. Then …"; "If f is convex, then …"
@@ -25,6 +27,7 @@ impl<'a> Released<'a> {
         let Some(first) = statements.first() else { return };
         if self.paragraph != first.place.group {
             (self.paragraph, self.names) = (first.place.group, BTreeSet::new());
+            self.arbitrary.clear();
         }
         let around = self.around;
         let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
@@ -35,6 +38,11 @@ impl<'a> Released<'a> {
             let words = words_of(statement.place.formula);
             let releases = || speech::releases(&words.left, &words.right);
             let case = || speech::role(&words, false) == Some(Role::Case);
+            if let Said::Bare(side, _) | Said::Condition(side) = &statement.said
+                && speech::is_arbitrary(&words.right)
+            {
+                self.arbitrary.extend(bases(&side.expr));
+            }
             match &statement.said {
                 Said::Bare(side, _) => {
                     // "If f is convex"
@@ -76,6 +84,7 @@ impl<'a> Released<'a> {
                 }
                 _ => {}
             }
+            statement.place.arbitrary = self.arbitrary.iter().cloned().collect();
             statement.released = self.names.union(&own).cloned().collect();
             statement.of_a_kind = words.first && speech::speaks_of_a_kind(&words.left);
         }

@@ -15,8 +15,8 @@ use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::page::statement::{Chain, Role, Said, Statement, links};
-use crate::judge::written::names::{Head, bases};
+use crate::judge::page::statement::{Chain, Role, Said, Side, Statement, links};
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::roles::is_variable;
 
 /// Gives every statement its role and every claim the cases of its sentence.
@@ -322,7 +322,8 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             role => role,
         };
         let states = matches!(statement.said, Said::Chain(_) | Said::Condition(_));
-        let parity = matches!((role, &statement.said), (Some(Role::Odd | Role::Even), Said::Bare(..)));
+        let integer = |side: &Side| matches!(&side.expr.kind, Kind::Name(name) if is_index_letter(name));
+        let parity = matches!((role, &statement.said), (Some(Role::Odd | Role::Even), Said::Bare(side, _)) if integer(side));
         // Words such as "otherwise" speak of the formula beside them.
         statement.role = match role {
             Some(Role::Elsewhere) => {
@@ -530,6 +531,12 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
                 // said in passing ("maximal at t = i/n") does not.
                 match &statement.said {
                     Said::Condition(_) => statement.role = None,
+                    // "Let n be odd."
+                    Said::Bare(side, _) if matches!(statement.role, Some(Role::Odd | Role::Even)) => {
+                        let expr = parity(&side.expr, statement.role == Some(Role::Odd));
+                        statement.said = Said::Condition(Side { expr, ..side.clone() });
+                        statement.role = Some(Role::Introduced);
+                    }
                     Said::Chain(chain)
                         if statement.role == Some(Role::Case)
                             && !matches!(chain.sides[0].expr.kind, Kind::Name(_)) =>

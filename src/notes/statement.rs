@@ -342,6 +342,7 @@ impl Reader<'_> {
             changes: self.changes.so_far,
             replaced: self.changes.replaced.clone(),
             spare: 0,
+            arbitrary: Vec::new(),
         })
     }
 

@@ -6,11 +6,14 @@ use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::instances::trial::Trial;
-use crate::judge::page::context::Body;
+use crate::judge::page::context::{Body, Definition, Source};
 use crate::judge::values::evaluator;
 use crate::judge::written::names::{Head, bases, integer_names, is_extreme, is_index_letter, walk};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
+
+/// With more integers in the sides no others are tried beside them.
+const MOST_BESIDE_SIZES: usize = 3;
 
 /// Names with their integers, for the evaluator.
 pub(in crate::judge) fn as_values(bound: &[(String, i64)]) -> impl Iterator<Item = (Symbol, Value)> {
@@ -53,6 +56,10 @@ impl Trial<'_> {
                     );
                 }
             }
+        }
+        // m, where the page has x(t) = Σ_{i=0}^m …, and of x(1) = b_n the n is another size
+        if names.iter().any(|name| roles::is_degree(name)) && names.len() <= MOST_BESIDE_SIZES {
+            names.extend(self.other_sizes(&names));
         }
         // n in c_i = i/(n + 1) …, where hypotheses have sums up to n
         let first = self.sides.first().and_then(|side| Head::of(side)).map(|head| head.base);
@@ -105,8 +112,71 @@ impl Trial<'_> {
         names.into_iter().collect()
     }
 
+    /// Sizes in what the page says of the names of the chain, which stand in no side.
+    fn other_sizes(&self, names: &BTreeSet<String>) -> BTreeSet<String> {
+        let mut found = BTreeSet::new();
+        let mut put = |sizes: BTreeSet<String>, own: &BTreeSet<String>| {
+            let sizes = sizes.into_iter().filter(|name| roles::is_degree(name));
+            found.extend(sizes.filter(|name| !own.contains(name) && !names.contains(name)));
+        };
+        for base in &self.facts.reached {
+            for (_, definition, near) in self.context.visible(base, self.place) {
+                if let (true, Body::Formula(body)) = (near, &definition.body) {
+                    let head = &definition.head;
+                    let own =
+                        head.lower.iter().chain(&head.upper).chain(head.flat()).flat_map(bases).collect();
+                    put(integer_names(body), &own);
+                }
+            }
+        }
+        for object in self.spoken() {
+            if let Some(degree) = &object.degree {
+                put(bases(degree), &BTreeSet::new());
+            }
+        }
+        found
+    }
+
+    /// What the page says that an integer is made of: i + j + k for n, n - i for j, 2m + 1 for n.
+    pub(in crate::judge) fn made_of(&self, name: &str, integers: &[String]) -> Option<Expr> {
+        self.as_sum(name, integers).or_else(|| self.by_formula(name, integers))
+    }
+
+    /// The formula that the paragraph, or words that give it, have for an integer in others of the chain.
+    fn by_formula(&self, name: &str, integers: &[String]) -> Option<Expr> {
+        let (_, definition, near) = self.context.visible(name, self.place).next()?;
+        let Definition { head, body: Body::Formula(body), place, source, .. } = definition else {
+            return None;
+        };
+        let given = place.group == self.place.group || *source == Source::Given;
+        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let own = bases(body);
+        let others = !own.is_empty() && own.iter().all(|other| other != name && integers.contains(other));
+        let arithmetic = !body.has(&|part| {
+            !matches!(
+                part.kind,
+                Kind::Name(_)
+                    | Kind::Number(_)
+                    | Kind::Add(_)
+                    | Kind::Mul(_)
+                    | Kind::Div(..)
+                    | Kind::Pow(..)
+                    | Kind::Group(_)
+            )
+        });
+        // j = n - i: i is not made of j then.
+        let back = |other: &String| {
+            let mut visible = self.context.visible(other, self.place);
+            visible.next().is_some_and(|(number, ..)| {
+                let other = &self.context.definitions[number];
+                matches!(&other.body, Body::Formula(body) if bases(body).contains(name))
+            })
+        };
+        (near && given && plain && others && arithmetic && !own.iter().any(back)).then(|| body.clone())
+    }
+
     /// What a condition says an integer is the sum of: i + j + k for n.
-    pub(in crate::judge) fn as_sum(&self, name: &str, integers: &[String]) -> Option<Expr> {
+    fn as_sum(&self, name: &str, integers: &[String]) -> Option<Expr> {
         let sum = |condition: &Expr| {
             let Kind::Chain(left, links) = &condition.kind else { return None };
             let [link] = links.as_slice() else { return None };

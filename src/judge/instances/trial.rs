@@ -147,7 +147,7 @@ impl<'a> Trial<'a> {
         let integers = self.integers();
         let splines = self.has_pieces();
         // n = i + j + k
-        let sums: Vec<Option<Expr>> = integers.iter().map(|name| self.as_sum(name, &integers)).collect();
+        let sums: Vec<Option<Expr>> = integers.iter().map(|name| self.made_of(name, &integers)).collect();
         let free = sums.iter().filter(|sum| sum.is_none()).count();
         // n! ≤ 3^n fails late.
         let numbers = self.sides.iter().all(|side| bases(side).iter().all(|name| integers.contains(name)));
@@ -180,13 +180,19 @@ impl<'a> Trial<'a> {
                 let mut own: Vec<i64> =
                     values.iter().zip(&fixed).map(|(value, fixed)| fixed.unwrap_or(*value)).collect();
                 let named: Vec<(String, i64)> = integers.iter().cloned().zip(own.iter().copied()).collect();
+                let mut whole = true;
                 for (at, sum) in sums.iter().enumerate() {
                     let Some(sum) = sum else { continue };
                     let sum =
                         evaluator::machine().with_locals(as_values(&named), |machine| machine.eval_int(sum));
-                    own[at] = sum.unwrap_or_default();
+                    match sum {
+                        Ok(sum) if sum >= 0 => own[at] = sum,
+                        _ => whole = false,
+                    }
                 }
-                all.push(own);
+                if whole {
+                    all.push(own);
+                }
             }
             if !advance(&mut values, largest) {
                 break;
@@ -263,7 +269,8 @@ impl<'a> Trial<'a> {
         let restricts = |condition: &&Expr| match &condition.kind {
             Kind::Chain(left, links) => {
                 let equation = links.iter().any(|link| link.rel == Rel::Eq);
-                (!equation || matches!(left.kind, Kind::Add(_))) && bases(condition).is_disjoint(&own)
+                (!equation || matches!(left.kind, Kind::Add(_) | Kind::Pow(..)))
+                    && bases(condition).is_disjoint(&own)
             }
             _ => false,
         };

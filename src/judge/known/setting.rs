@@ -27,6 +27,7 @@ impl Checker {
             .filter(|c| !chain.conditions.contains(&c.expr) && place.in_reach(&c.place, c.assumed))
             // "n = 1:", "n = 2:", … are values, each for its own paragraph.
             .filter(|c| c.place.group == place.group || !gives_a_number(&c.expr))
+            .filter(|c| !bases(&c.expr).iter().any(|name| place.frees(name, &c.place)))
             .collect();
         // Of a letter that this section introduces anew another one says nothing.
         earlier.retain(|condition| {

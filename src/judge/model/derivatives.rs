@@ -251,7 +251,15 @@ impl Model {
         order: usize,
         expr: &Expr,
     ) -> Option<Evaluated> {
-        let head = Head::of(body)?;
+        let Some(head) = Head::of(body) else {
+            // (f^2)' is no derivative in f.
+            let function = |name: &String| {
+                let told = self.context.object_called(name, &self.place);
+                self.context.letters.is_function(name) || told.is_some_and(|told| told.object.is_function())
+            };
+            return (bases(body).iter().any(function))
+                .then(|| Err(unclear("what is differentiated here", expr)));
+        };
         if machine.lookup(&Symbol::new(&head.base)).is_some() {
             return None;
         }

@@ -146,6 +146,17 @@ impl Definition {
         }
     }
 
+    /// Whether it says of two names, and of no family, that they are the same: h_0 = h_1.
+    fn equates_names(&self) -> bool {
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let Body::Formula(body) = &self.body else { return false };
+        let other = Head::of(body).filter(|other| other.arguments.is_none() && other.upper.is_empty());
+        self.head.arguments.is_none()
+            && self.head.upper.is_empty()
+            && self.head.lower.iter().all(number)
+            && other.is_some_and(|other| other.base == self.head.base && other.lower.iter().all(number))
+    }
+
     /// Whether its formula uses a letter as an index of other families only: x_n = b_n/a_nn, not H_n = Σ_{k=1}^n 1/k.
     pub fn is_of_members(&self, letter: &str) -> bool {
         fn outside(expr: &Expr, letter: &str) -> bool {
@@ -439,7 +450,7 @@ impl Context {
         let numbers = self.named.get(base).map_or(&[][..], |[numbers, _]| numbers);
         let alive = numbers.iter().rev().filter(|&&number| {
             let definition = &self.definitions[number];
-            place.in_reach(&definition.place, definition.assumed)
+            place.in_reach(&definition.place, definition.assumed) && !place.frees(base, &definition.place)
         });
         let (close, far): (Vec<usize>, Vec<usize>) =
             alive.copied().partition(|&number| place.sees(&self.definitions[number].place));
@@ -450,6 +461,7 @@ impl Context {
         let far = far.into_iter().filter(|&number| {
             let definition = &self.definitions[number];
             matches!(definition.body, Body::Formula(_))
+                && !definition.equates_names()
                 && !self.is_spoken_of_anew(base, &definition.place, place)
         });
         found.extend(far.map(|number| (number, false)));

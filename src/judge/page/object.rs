@@ -320,7 +320,9 @@ impl Context {
     /// What a head is, as far as words tell: the latest object of its name, those of the same section first.
     pub fn object(&self, head: &Head, place: &Place) -> Option<&Declared> {
         let alive = |declared: &&Declared| {
-            place.in_reach(&declared.place, declared.object.local) && declared.object.name_for(head).is_some()
+            place.in_reach(&declared.place, declared.object.local)
+                && !place.frees(&head.base, &declared.place)
+                && declared.object.name_for(head).is_some()
         };
         let found = self.objects_of(&head.base).filter(alive);
         found

@@ -44,6 +44,8 @@ pub struct Layout {
     pub replaced: Vec<String>,
     /// The formula of its sentence with the last number that nothing took; 0 if there is none.
     pub spare: usize,
+    /// The names that words of its paragraph let be anything: "let a and b be arbitrary".
+    pub arbitrary: Vec<String>,
 }
 
 impl From<Layout> for Place {
@@ -110,6 +112,11 @@ impl Place {
                 .recalled
                 .as_ref()
                 .is_some_and(|recalled| !earlier.blocks.is_empty() && recalled.knows(earlier, assumed))
+    }
+
+    /// Whether its paragraph lets a name be anything, whatever was said of it there.
+    pub fn frees(&self, name: &str, earlier: &Place) -> bool {
+        self.group != earlier.group && self.arbitrary.iter().any(|own| own == name)
     }
 
     /// Whether a fact from there is alive here.

@@ -54,6 +54,7 @@ impl Checker {
         }
         if self.is_of_another_size(theorem, equation, way, said, claim.place)
             || self.is_of_another_degree(theorem, way, claim.place)
+            || self.are_of_other_degrees(theorem, equation, way, claim.place)
             || self.is_over_named_ends(theorem, equation, claim.place)
             || is_over_another_interval(theorem, equation, said)
         {
@@ -168,6 +169,73 @@ impl Checker {
         let next = letter.clone().plus(1);
         let mut sizes = sizes.map(|(_, expr)| expr).peekable();
         raised && sizes.peek().is_some() && !sizes.any(|expr| expr.same_as(&next))
+    }
+
+    /// Whether a curve that words give another degree, or points that end elsewhere, or derivatives of another order, stand
+    /// for those of the theorem: y of degree n, where x has degree m.
+    fn are_of_other_degrees(&self, theorem: &Theorem, equation: &Equation, way: &Way, place: &Place) -> bool {
+        let order = |letter: &str| match letter {
+            "M" => Some(2),
+            "m" if theorem.means("spline") => Some(1),
+            _ => None,
+        };
+        let derived = |(theirs, ours): &(String, Expr)| {
+            let (Some(order), Some(head)) = (order(theirs), Head::of(ours)) else { return false };
+            let mut own =
+                self.context.visible(&head.base, place).filter_map(|(_, own, near)| match &own.body {
+                    Body::Formula(Expr { kind: Kind::Apply(callee, _), .. }) if near => match callee.kind {
+                        Kind::Prime(_, order) => Some(order),
+                        _ => None,
+                    },
+                    _ => None,
+                });
+            own.next().is_some_and(|own| own != order)
+        };
+        if way.letters.iter().any(derived) {
+            return true;
+        }
+        if theorem.is_about(Topic::Elevation) || equation.order {
+            return false;
+        }
+        let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());
+        let Some(size) = size.or_else(|| theorem.degree().map(Expr::int)) else { return false };
+        let size = &size;
+        let differs = |degree: &Expr| {
+            let plain = match &degree.kind {
+                Kind::Chain(left, _) => left.as_ref(),
+                _ => degree,
+            };
+            matches!(plain.kind, Kind::Name(_) | Kind::Number(_)) && !plain.same_as(size)
+        };
+        let of_points = |head: &Head| {
+            let mut told = self.context.objects.iter().rev().filter(|told| place.knows(&told.place, false));
+            told.find(|told| {
+                let first = told.object.points.first().and_then(Head::of);
+                told.object.is_function() && first.is_some_and(|first| first.base == head.base)
+            })
+        };
+        way.letters.iter().filter(|(theirs, _)| matches!(theirs.as_str(), "b" | "p" | "f" | "F")).any(
+            |(theirs, ours)| {
+                let Some(head) = Head::of(ours) else { return false };
+                let told = match theirs.as_str() {
+                    "b" => of_points(&head),
+                    _ => self.context.object_called(&head.base, place),
+                };
+                let object = told.map(|told| &told.object);
+                let own = object.and_then(|object| object.degree.as_ref()).is_some_and(differs);
+                let of = object.and_then(|object| Head::of(object.of.as_ref()?));
+                let of = of.and_then(|of| self.context.object_called(&of.base, place));
+                let of_degree = of.and_then(|told| told.object.degree.as_ref()).is_some_and(differs);
+                let points = theirs == "b" && theorem.means("curve");
+                let listed = || {
+                    let listed = self.context.listed(&head.base, place);
+                    listed.is_some_and(|(first, last)| {
+                        first.as_int() == Some(0) && differs_in_last(&last, size)
+                    })
+                };
+                own || of_degree || points && listed()
+            },
+        )
     }
 
     /// Whether an equation over [0, 1] is claimed where the paragraph speaks last of an interval [a, b].
@@ -378,4 +446,14 @@ fn is_for_the_unit_interval(theorem: &Theorem, equation: &Equation) -> bool {
     let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
     let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
     over_unit.into_iter().any(|kind| theorem.means(kind)) && !equation.profile.variables.iter().any(lengths)
+}
+
+/// Whether points end with another number than the degree: c_0, …, c_{n-1} beside n.
+fn differs_in_last(last: &Expr, size: &Expr) -> bool {
+    let number = |expr: &Expr| expr.as_int();
+    match (number(last), number(size)) {
+        (Some(last), Some(size)) => last != size,
+        (None, None) => bases(last) == bases(size) && !last.same_as(size),
+        _ => false,
+    }
 }

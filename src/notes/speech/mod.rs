@@ -28,7 +28,7 @@ pub use blocks::{
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
-pub use release::{holds_for_any, releases, speaks_of_a_kind};
+pub use release::{holds_for_any, is_arbitrary, releases, speaks_of_a_kind};
 pub use rewriting::says_as;
 pub use tongue::is_understood;
 pub use unreal::{asks_what_is_true, calls_that_wrong, denies, joins, names_a_mistake};

@@ -46,6 +46,17 @@ fn begins(word: &str) -> bool {
         .any(|cue| if cue.is_ascii() || word.is_ascii() { word.starts_with(cue) } else { word.contains(cue) })
 }
 
+/// Whether the words after a name say that it is arbitrary: "be arbitrary", "seien beliebig", "任意".
+pub fn is_arbitrary(right: &str) -> bool {
+    let after = clause(plain(right).trim_start(), false);
+    let last =
+        |word: &String| FREE.iter().any(|cue| word.starts_with(cue) || !cue.is_ascii() && word.contains(cue));
+    after.len() <= 4 && after.iter().any(last)
+}
+
+/// How the words begin that make a name arbitrary.
+const FREE: &[&str] = &["arbitrary", "beliebig", "quelconque", "arbitraire", "任意"];
+
 /// Words with which what is spoken of has data.
 const WITH: &[&str] = &[
     "with",
