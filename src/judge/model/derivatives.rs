@@ -7,7 +7,7 @@ use crate::formula::{Expr, Kind};
 use crate::judge::page::context::Body;
 use crate::judge::page::object::Sort;
 use crate::judge::values::equality::symbols;
-use crate::judge::written::names::{Head, bases, primed};
+use crate::judge::written::names::{Head, bases, calls, primed};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
 use crate::language::ops::calculus::nth_derivative;
@@ -257,7 +257,7 @@ impl Model {
                 let told = self.context.object_called(name, &self.place);
                 self.context.letters.is_function(name) || told.is_some_and(|told| told.object.is_function())
             };
-            return (bases(body).iter().any(function))
+            return bases(body).iter().any(|name| function(name) && !calls(body, name))
                 .then(|| Err(unclear("what is differentiated here", expr)));
         };
         if machine.lookup(&Symbol::new(&head.base)).is_some() {

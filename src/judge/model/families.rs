@@ -3,6 +3,7 @@
 use super::calls::variable;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign};
+use crate::judge::page::object::Sort;
 use crate::judge::values::compare;
 use crate::judge::written::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -58,7 +59,15 @@ impl Model {
                         (i, n) = (n, i);
                     }
                 }
-                Some(self.bernstein(machine, n, i, &scalars?[0]))
+                let x = scalars?.swap_remove(0);
+                // "The Bernstein polynomials over [a, b]"
+                let x = match self.declared(head) {
+                    Some((object, _)) if object.sort == Sort::Bernstein => {
+                        self.reparametrised(machine, &object, &x)?
+                    }
+                    _ => x,
+                };
+                Some(self.bernstein(machine, n, i, &x))
             }
             (Family::Triangular, [i, j, k, n], 3) => {
                 self.note(notation.meaning);

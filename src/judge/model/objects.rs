@@ -32,7 +32,7 @@ impl Model {
     }
 
     /// The same, shared, with the line where it was introduced.
-    fn declared(&self, head: &Head) -> Option<(Rc<Object>, usize)> {
+    pub(super) fn declared(&self, head: &Head) -> Option<(Rc<Object>, usize)> {
         self.object(head).map(|declared| (declared.object.clone(), declared.line))
     }
 
@@ -285,7 +285,7 @@ impl Model {
                 weights.and_then(|weights| combination(&values, &weights))
             }
             Sort::Bernstein => {
-                let x = one?;
+                let x = self.reparametrised(machine, &object, &one?)?;
                 let indices: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
                 let own = object.name_for(head)?;
                 // B_0, …, B_3 of degree 3
@@ -430,7 +430,7 @@ impl Model {
     }
 
     /// The parameter of a curve over [a, b] as one over [0, 1].
-    fn reparametrised(&self, machine: &mut Machine, object: &Object, x: &Fraction) -> Option<Fraction> {
+    pub(super) fn reparametrised(&self, machine: &mut Machine, object: &Object, x: &Fraction) -> Option<Fraction> {
         let Some((from, to)) = &object.interval else { return Some(x.clone()) };
         let (from, to) = (machine.eval(from).ok()?, machine.eval(to).ok()?);
         let (Value::Scalar(from), Value::Scalar(to)) = (from, to) else { return None };

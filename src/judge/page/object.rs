@@ -405,7 +405,9 @@ impl Context {
     /// Whether a letter is not that of its standard family here: the page calls it a B-spline, or defines it by
     /// cases.
     pub fn is_own(&self, base: &str, place: &Place) -> bool {
-        let spoken = self.object_called(base, place).is_some_and(|d| d.object.sort == Sort::BSpline);
+        let spoken = self
+            .object_called(base, place)
+            .is_some_and(|d| matches!(d.object.sort, Sort::BSpline | Sort::Other(_)));
         spoken
             || self.visible(base, place).any(|(_, definition, _)| {
                 let named = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));

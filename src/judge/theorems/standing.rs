@@ -200,6 +200,10 @@ impl Checker {
         let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());
         let Some(size) = size.or_else(|| theorem.degree().map(Expr::int)) else { return false };
         let size = &size;
+        // n - 1 for n is a slip.
+        if !matches!(size.kind, Kind::Name(_) | Kind::Number(_)) {
+            return false;
+        }
         let differs = |degree: &Expr| {
             let plain = match &degree.kind {
                 Kind::Chain(left, _) => left.as_ref(),

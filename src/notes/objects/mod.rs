@@ -96,8 +96,11 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let sections = sections(sentences, &page);
     patches::tell(&sections, &page, &mut found);
     quantities::tell(&sections, &page, &mut found);
-    // "A rational curve" of which no weights are given
-    for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
+    // "A rational curve" of which no weights are given, rational basis functions
+    let other = |object: &&mut Object| {
+        object.rational && (object.weights.is_empty() || matches!(object.sort, Sort::Bernstein | Sort::BSpline))
+    };
+    for object in found.values_mut().flatten().filter(other) {
         object.sort = Sort::Other(RATIONAL.into());
     }
     for object in found.values_mut().flatten().filter(|object| are_coordinates(&object.points)) {
@@ -318,6 +321,11 @@ impl<'a> Reader<'a> {
         // "Regarded as a polynomial of degree 3"
         if object.names.is_empty() && object.is_function() && from > 0 && self.is(from - 1, &Word::As) {
             self.view(from, object.degree);
+            return;
+        }
+        if let Some((names, number, other)) = self.made_of(&object, from) {
+            self.found.entry(number).or_default().push(Object { names, ..Object::new(Sort::Other(other.into())) });
+            self.taken = to;
             return;
         }
         let subject = match named {

@@ -276,7 +276,9 @@ impl Reader<'_> {
                         && !closed
                         && !word.contains(' ')
                         && (self.is(before.wrapping_sub(1), &Word::Filler)
-                            || self.is(before.wrapping_sub(1), &Word::Article)) =>
+                            || self.is(before.wrapping_sub(1), &Word::Article)
+                            || matches!(object.sort, Sort::Bernstein | Sort::BSpline)
+                                && self.is(before.wrapping_sub(1), &Word::The)) =>
                 {
                     object.sort = Sort::Other(word.clone().into());
                 }

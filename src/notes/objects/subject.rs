@@ -4,6 +4,7 @@ use super::super::speech::Word;
 use super::Reader;
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Rel, interval};
+use crate::judge::page::object::{Object, Sort};
 use crate::judge::written::names::Head;
 
 impl Reader<'_> {
@@ -79,6 +80,18 @@ impl Reader<'_> {
                 self.is(with, &Word::With) && matches!(opens, None | Some(Token::Comma | Token::Stop))
             });
         Some((items, first?)).filter(|_| !governed || called)
+    }
+
+    /// "Let B_i^n be the derivatives of the Bernstein polynomials": the names that something else is called by, which is made
+    /// of what a phrase speaks of, with the words for it.
+    pub(super) fn made_of(&self, object: &Object, from: usize) -> Option<(Vec<Expr>, usize, String)> {
+        if !matches!(object.sort, Sort::Bernstein | Sort::BSpline) || !object.names.is_empty() {
+            return None;
+        }
+        let of = from.checked_sub(1).filter(|&of| self.is(of, &Word::Of) || self.is(of, &Word::Der))?;
+        let Token::Unknown(words) = self.tokens.get(of.checked_sub(1)?)? else { return None };
+        let (names, number) = self.subjects_before(of - 1, false)?;
+        Some((names, number, words.clone()))
     }
 
     /// "Write f for its blossom"
