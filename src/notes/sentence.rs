@@ -323,6 +323,12 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         };
         let states = matches!(statement.said, Said::Chain(_) | Said::Condition(_));
         let integer = |side: &Side| matches!(&side.expr.kind, Kind::Name(name) if is_index_letter(name));
+        if let Said::Bare(side, _) = &statement.said
+            && integer(side)
+            && let Some(odd) = speech::parity_before(&words_of(own).left)
+        {
+            role = Some(if odd { Role::Odd } else { Role::Even });
+        }
         let parity = matches!((role, &statement.said), (Some(Role::Odd | Role::Even), Said::Bare(side, _)) if integer(side));
         // Words such as "otherwise" speak of the formula beside them.
         statement.role = match role {

@@ -134,6 +134,12 @@ impl Trial<'_> {
                 put(bases(degree), &BTreeSet::new());
             }
         }
+        // n = 2m: it is none of its own.
+        let made = |name: &String| {
+            let mut said = self.conditions.iter().chain(self.hypotheses()).filter_map(equated_index);
+            said.any(|own| own == name)
+        };
+        found.retain(|name| !made(name));
         found
     }
 

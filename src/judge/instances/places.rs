@@ -23,6 +23,9 @@ use num_traits::Zero;
 /// Knots that the page gives are tried up to this number.
 const LAST_GIVEN: i64 = 24;
 
+/// The same of knots that are given by a formula, for all degrees up to 4.
+const LAST_COVERED: i64 = 8;
+
 /// Generic knot intervals are tried from number 0 to this one.
 const LAST_INTERVAL: i64 = 3;
 
@@ -102,7 +105,12 @@ impl Trial<'_> {
     /// knots also beside them, as far as the conditions allow.
     pub(in crate::judge) fn places(&self, bound: &[(String, i64)], breaks: &[Rational]) -> Vec<Rational> {
         let model = self.model(None, Some(Rational::zero()), breaks);
-        let last = if model.has_given_knots() { LAST_GIVEN } else { LAST_INTERVAL + 1 };
+        let last = match self.facts.given_knots.first_key_value() {
+            // Knots by a formula for all i: a sum over all splines is whole only where those that are taken cover it.
+            Some((first, _)) if *first < 0 => LAST_COVERED,
+            Some(_) => LAST_GIVEN,
+            None => LAST_INTERVAL + 1,
+        };
         let generic: Vec<Rational> = (0..=last).map(|j| model.knot(j)).collect();
         let knots = if breaks.is_empty() { generic } else { breaks.to_vec() };
         let mut places: Vec<Rational> = Vec::new();

@@ -140,6 +140,24 @@ fn is_alike(one: &Head, other: &Head) -> bool {
 }
 
 impl Checker {
+    /// Whether a recursion of the section leads to a member from those before it: T_3(x), after T_0(x), T_1(x) and
+    /// T_{n+1}(x) = 2x T_n(x) - T_{n-1}(x).
+    fn follows_by_recursion(&self, head: &Head, place: &Place) -> bool {
+        let [index] = head.lower.as_slice() else { return false };
+        let Some(number) = index.as_int().filter(|_| head.arguments.is_some()) else { return false };
+        let own = |definition: &Definition| {
+            let [index] = definition.head.lower.as_slice() else { return None };
+            Some((index.clone(), definition.is_recursive()))
+        };
+        let near = || {
+            let visible = self.context.visible(&head.base, place).filter(|(_, _, near)| *near);
+            visible.filter_map(|(_, definition, _)| own(definition))
+        };
+        let steps = near().any(|(index, recursive)| recursive && matches!(index.kind, Kind::Add(_)));
+        let before: Vec<i64> = near().filter_map(|(index, _)| index.as_int()).collect();
+        steps && before.iter().filter(|other| **other < number).count() > 1
+    }
+
     /// Whether a query nearby gives a value for a name as a whole.
     pub(in crate::judge) fn is_queried(&self, head: &Head, place: &Place) -> bool {
         let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
@@ -240,6 +258,7 @@ impl Checker {
                 .context
                 .visible(&head.base, place)
                 .any(|(_, d, near)| covers(d, head) && (near || recursive) && !self.begins(d, head, place))
+            || self.follows_by_recursion(head, place)
         {
             return true;
         }
@@ -260,6 +279,24 @@ impl Checker {
                 && definition.head.arguments.is_none()
         };
         if part && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| near && given(d))
+        {
+            return true;
+        }
+        // g = f', and then g(t) = …
+        let derived = |definition: &Definition| {
+            let bare = definition.head.lower.is_empty()
+                && definition.head.upper.is_empty()
+                && definition.head.arguments.is_none();
+            bare && matches!(&definition.body, Body::Formula(Expr { kind: Kind::Prime(..), .. }))
+        };
+        if head.lower.is_empty()
+            && head.upper.is_empty()
+            && head.arguments.is_some()
+            && self
+                .context
+                .visible(&head.base, place)
+                .next()
+                .is_some_and(|(_, own, near)| near && derived(own))
         {
             return true;
         }
@@ -367,7 +404,12 @@ impl Checker {
         right: &Expr,
         place: &Place,
     ) -> Option<Option<Head>> {
-        let own = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty())?;
+        let own = Head::of(left).filter(|own| !own.lower.is_empty())?;
+        // T_{n+1}(x) = 2x T_n(x) - T_{n-1}(x)
+        let variable = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name));
+        if own.arguments.is_some() && (own.notation().is_some() || !own.flat().iter().all(variable)) {
+            return None;
+        }
         let given = |head: &Head| head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
         let members: Vec<&Head> =
             self.context.visible(&own.base, place).map(|(_, definition, _)| &definition.head).collect();

@@ -257,7 +257,9 @@ impl Model {
                 let told = self.context.object_called(name, &self.place);
                 self.context.letters.is_function(name) || told.is_some_and(|told| told.object.is_function())
             };
-            return bases(body).iter().any(|name| function(name) && !calls(body, name))
+            return bases(body)
+                .iter()
+                .any(|name| function(name) && !calls(body, name))
                 .then(|| Err(unclear("what is differentiated here", expr)));
         };
         if machine.lookup(&Symbol::new(&head.base)).is_some() {

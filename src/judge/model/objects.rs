@@ -430,7 +430,12 @@ impl Model {
     }
 
     /// The parameter of a curve over [a, b] as one over [0, 1].
-    pub(super) fn reparametrised(&self, machine: &mut Machine, object: &Object, x: &Fraction) -> Option<Fraction> {
+    pub(super) fn reparametrised(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        x: &Fraction,
+    ) -> Option<Fraction> {
         let Some((from, to)) = &object.interval else { return Some(x.clone()) };
         let (from, to) = (machine.eval(from).ok()?, machine.eval(to).ok()?);
         let (Value::Scalar(from), Value::Scalar(to)) = (from, to) else { return None };

@@ -80,6 +80,10 @@ pub enum Topic {
     Bilinear,
     /// Splines with the slopes of Catmull and Rom.
     CatmullRom,
+    /// Matrices, operators and permutations, which need not commute.
+    Operators,
+    /// Vectors, of which there are several products.
+    Vectors,
 }
 
 /// The topics by the words of the table of theorems.

@@ -54,7 +54,7 @@ impl Checker {
         }
         if self.is_of_another_size(theorem, equation, way, said, claim.place)
             || self.is_of_another_degree(theorem, way, claim.place)
-            || self.are_of_other_degrees(theorem, equation, way, claim.place)
+            || self.are_of_other_degrees(theorem, equation, way, said, claim.place)
             || self.is_over_named_ends(theorem, equation, claim.place)
             || is_over_another_interval(theorem, equation, said)
         {
@@ -173,7 +173,14 @@ impl Checker {
 
     /// Whether a curve that words give another degree, or points that end elsewhere, or derivatives of another order, stand
     /// for those of the theorem: y of degree n, where x has degree m.
-    fn are_of_other_degrees(&self, theorem: &Theorem, equation: &Equation, way: &Way, place: &Place) -> bool {
+    fn are_of_other_degrees(
+        &self,
+        theorem: &Theorem,
+        equation: &Equation,
+        way: &Way,
+        said: &Said,
+        place: &Place,
+    ) -> bool {
         let order = |letter: &str| match letter {
             "M" => Some(2),
             "m" if theorem.means("spline") => Some(1),
@@ -204,12 +211,20 @@ impl Checker {
         if !matches!(size.kind, Kind::Name(_) | Kind::Number(_)) {
             return false;
         }
-        let differs = |degree: &Expr| {
+        let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
+        let differs = |told: &Declared| {
+            let Some(degree) = &told.object.degree else { return false };
             let plain = match &degree.kind {
                 Kind::Chain(left, _) => left.as_ref(),
                 _ => degree,
             };
-            matches!(plain.kind, Kind::Name(_) | Kind::Number(_)) && !plain.same_as(size)
+            // "For a quadratic" a polynomial of degree n may be meant, elsewhere.
+            let spoken = || size.as_int().is_some_and(|size| said.degrees.contains(&size));
+            let comparable = match (number(plain), number(size)) {
+                (true, true) => !spoken(),
+                (own, other) => own == other || told.place.group == place.group,
+            };
+            comparable && matches!(plain.kind, Kind::Name(_) | Kind::Number(_)) && !plain.same_as(size)
         };
         let of_points = |head: &Head| {
             let mut told = self.context.objects.iter().rev().filter(|told| place.knows(&told.place, false));
@@ -225,11 +240,10 @@ impl Checker {
                     "b" => of_points(&head),
                     _ => self.context.object_called(&head.base, place),
                 };
-                let object = told.map(|told| &told.object);
-                let own = object.and_then(|object| object.degree.as_ref()).is_some_and(differs);
-                let of = object.and_then(|object| Head::of(object.of.as_ref()?));
+                let own = told.is_some_and(differs);
+                let of = told.and_then(|told| Head::of(told.object.of.as_ref()?));
                 let of = of.and_then(|of| self.context.object_called(&of.base, place));
-                let of_degree = of.and_then(|told| told.object.degree.as_ref()).is_some_and(differs);
+                let of_degree = of.is_some_and(differs);
                 let points = theirs == "b" && theorem.means("curve");
                 let listed = || {
                     let listed = self.context.listed(&head.base, place);

@@ -3,15 +3,16 @@
 use std::collections::BTreeSet;
 
 use crate::budget::{self, Limits};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Accent, Expr, Kind, Rel};
 use crate::judge::instances::conditions::CANNOT_HOLD;
 use crate::judge::instances::hypotheses;
 use crate::judge::instances::setting::Setting;
 use crate::judge::instances::tally::{Failure, Outcomes, Tally};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::finding::{Evidence, Finding, Verdict, blank};
-use crate::judge::page::object::UNNAMED;
+use crate::judge::page::object::{Sort, UNNAMED};
 use crate::judge::page::statement::{Chain, Place, Role, Side, Statement};
+use crate::judge::page::topic::Topic;
 use crate::judge::prove::prove;
 use crate::judge::reasons::certainty::Suspect;
 use crate::judge::reasons::counterexample;
@@ -19,8 +20,8 @@ use crate::judge::reasons::doubts;
 use crate::judge::reasons::refute;
 use crate::judge::repair::{self, Repair};
 use crate::judge::verdict::attempt::{Attempt, beyond_degree, restricted};
-use crate::judge::written::bare;
 use crate::judge::written::names::{Head, bases, calls, is_standard, walk};
+use crate::judge::written::{bare, commuting};
 use crate::language::diagnostic::Code;
 use crate::language::lexicon::roles::is_variable;
 use crate::math::poly::Symbol;
@@ -74,6 +75,14 @@ impl Checker {
             finding.verdict = Verdict::Refuted;
             finding.reason = Some(message.clone());
             finding.witness = Some(values.join(", "));
+            return Judged::Verdict(Box::new(finding));
+        }
+        if tally.fails.is_empty()
+            && tally.holds > 0
+            && let Some(reason) = self.of_no_numbers(chain, at, statement)
+        {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason);
             return Judged::Verdict(Box::new(finding));
         }
         if bare::only_commutes(&chain.sides[at].expr, &chain.sides[at + 1].expr) {
@@ -278,6 +287,56 @@ impl Checker {
         Judged::Verdict(Box::new(finding))
     }
 
+    /// Why what holds for numbers says nothing here: matrices, operators and elements of groups need not commute, and vectors
+    /// have other products.
+    fn of_no_numbers(&self, chain: &Chain, at: usize, statement: &Statement) -> Option<String> {
+        let topics = statement.topics;
+        let [left, right] = [0, 1].map(|side| &chain.sides[at + side].expr);
+        let place = &statement.place;
+        let given = |name: &str| self.context.visible(name, place).next().is_some();
+        let groups = topics.has(Topic::Modular);
+        if groups || topics.has(Topic::Operators) {
+            let ordered = commuting::letters_in_order(left, right);
+            let letter = |text: &String| {
+                let base: String = text.chars().take_while(|c| c.is_alphanumeric()).collect();
+                let plain = text.rsplit(' ').next().unwrap_or(text);
+                let capital = plain.trim_start_matches(['{', '\\']).starts_with(char::is_uppercase);
+                (groups || capital) && !is_variable(&base) && !given(&base)
+            };
+            if let Some(letter) = ordered.iter().find(|text| letter(text)) {
+                let letter = letter.split(['_', '\u{207b}']).next().unwrap_or(letter);
+                return Some(format!("{letter} may be no number: then the order of factors counts"));
+            }
+        }
+        let vector = |part: &Expr| match &part.kind {
+            Kind::Accent(Accent::Vec, _) => true,
+            Kind::Name(name) => {
+                topics.has(Topic::Vectors)
+                    && self
+                        .context
+                        .object_called(name, place)
+                        .is_some_and(|told| told.object.sort == Sort::Vectors)
+            }
+            _ => false,
+        };
+        let mut crossed = false;
+        for side in [left, right] {
+            walk(side, &mut |part| match &part.kind {
+                Kind::Cross(factors) => {
+                    let one = |factor: &Expr| matches!(factor.kind, Kind::Group(_)) || vector(factor);
+                    crossed |= factors.iter().any(vector) && factors.iter().all(one);
+                }
+                Kind::Mul(factors) => {
+                    let vectors = factors.iter().filter(|factor| factor.has(&|part| vector(part))).count();
+                    let inside: usize = factors.iter().map(|factor| count(factor, &vector)).sum();
+                    crossed |= vectors > 1 && inside > 2;
+                }
+                _ => {}
+            });
+        }
+        crossed.then(|| "vectors have several products: which one is meant?".to_owned())
+    }
+
     /// A proof for all integers, if one is found.
     fn proof(&self, chain: &Chain, at: usize, place: &Place, attempt: &Attempt) -> Option<String> {
         let choices = attempt.choices;
@@ -311,6 +370,18 @@ impl Checker {
         }
         notes
     }
+}
+
+/// How many parts of a product are such.
+fn count(expr: &Expr, own: &dyn Fn(&Expr) -> bool) -> usize {
+    if own(expr) {
+        return 1;
+    }
+    let mut found = 0;
+    if matches!(expr.kind, Kind::Mul(_) | Kind::Group(_)) {
+        expr.for_each_child(&mut |child| found += count(child, own));
+    }
+    found
 }
 
 /// Why a relation that holds in all instances is not confirmed by them.

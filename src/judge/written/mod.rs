@@ -2,5 +2,6 @@
 
 pub(crate) mod ambiguous;
 pub(super) mod bare;
+pub(super) mod commuting;
 pub(super) mod features;
 pub(crate) mod names;

@@ -98,7 +98,8 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     quantities::tell(&sections, &page, &mut found);
     // "A rational curve" of which no weights are given, rational basis functions
     let other = |object: &&mut Object| {
-        object.rational && (object.weights.is_empty() || matches!(object.sort, Sort::Bernstein | Sort::BSpline))
+        object.rational
+            && (object.weights.is_empty() || matches!(object.sort, Sort::Bernstein | Sort::BSpline))
     };
     for object in found.values_mut().flatten().filter(other) {
         object.sort = Sort::Other(RATIONAL.into());
@@ -324,7 +325,10 @@ impl<'a> Reader<'a> {
             return;
         }
         if let Some((names, number, other)) = self.made_of(&object, from) {
-            self.found.entry(number).or_default().push(Object { names, ..Object::new(Sort::Other(other.into())) });
+            self.found
+                .entry(number)
+                .or_default()
+                .push(Object { names, ..Object::new(Sort::Other(other.into())) });
             self.taken = to;
             return;
         }

@@ -130,6 +130,20 @@ pub fn replaces_next(words: &str) -> bool {
     changes_data(last, false) && last.split_whitespace().count() <= 4
 }
 
+/// Words before a name that make it an odd or an even number, and nouns that may stand between.
+const ODD: &[&str] = &["odd", "ungerade", "ungerades", "ungeraden", "奇数"];
+const EVEN: &[&str] = &["even", "gerade", "gerades", "geraden", "偶数"];
+const NUMBERS: &[&str] = &["integer", "integers", "number", "numbers", "degree", "zahl", "zahlen"];
+
+/// Whether the words before a name say that it is odd, "for odd", or even.
+pub fn parity_before(words: &str) -> Option<bool> {
+    let text = words.to_lowercase();
+    let last = text.split_whitespace().rev().find(|word| !NUMBERS.contains(word))?;
+    let is =
+        |list: &[&str]| list.iter().any(|word| last == *word || !word.is_ascii() && last.ends_with(word));
+    if is(ODD) { Some(true) } else { is(EVEN).then_some(false) }
+}
+
 /// Whether the last word is one that puts something else in the place of what follows: "and replace".
 pub fn ends_with_a_change(words: &str) -> bool {
     words.split_whitespace().next_back().is_some_and(|word| changes_data(word, false))

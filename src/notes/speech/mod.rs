@@ -23,7 +23,7 @@ mod unreal;
 pub use blocks::{
     Block, block, changes_data, ends_a_sentence, ends_with_a_change, generalises, gives_example,
     goes_on_from_before, is_for_some_data, is_with_some_data, kind_of_block, number_of_block, opens_data,
-    recalled, replaces_data, replaces_next, sets_apart,
+    parity_before, recalled, replaces_data, replaces_next, sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};

@@ -409,8 +409,13 @@ impl Suspect<'_> {
     fn is_value_of_member(&self) -> bool {
         let [left, right] = self.sides();
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
-        let head = Head::of(left).filter(|head| head.arguments.is_none());
-        let Some(head) = head.filter(|head| head.lower.iter().chain(&head.upper).all(number)) else {
+        let head = Head::of(left).filter(|head| head.lower.iter().chain(&head.upper).all(number));
+        // T_3(x), after T_{n+1}(x) = 2x T_n(x) - T_{n-1}(x)
+        let own: BTreeSet<String> = head.iter().flat_map(Head::flat).flat_map(bases).collect();
+        let Some(head) = head.filter(|head| {
+            let variable = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
+            head.flat().iter().all(variable)
+        }) else {
             return false;
         };
         if head.lower.is_empty() && head.upper.is_empty() {
@@ -420,10 +425,18 @@ impl Suspect<'_> {
         let family = |definition: &Definition| {
             definition.head.base == head.base
                 && !definition.head.lower.iter().any(number)
+                && (head.arguments.is_none() || definition.is_recursive())
                 && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
         };
         let claimed = self.claimed() || self.statement.concludes;
-        claimed && self.failure.differs_by_a_number() && bases(right).is_empty() && self.used().any(family)
+        let value = match head.arguments {
+            None => self.failure.differs_by_a_number() && bases(right).is_empty(),
+            Some(_) => {
+                let left = compare::symbols(&self.failure.left);
+                bases(right).is_subset(&own) && left.iter().all(|symbol| own.contains(symbol.base()))
+            }
+        };
+        claimed && value && self.used().any(family)
     }
 
     /// Whether it claims another number for a name whose formula and data stand here: q = a - b, where a = 2 and b = 1.
