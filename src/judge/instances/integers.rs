@@ -137,7 +137,8 @@ impl Trial<'_> {
         // n = 2m: it is none of its own.
         let made = |name: &String| {
             let mut said = self.conditions.iter().chain(self.hypotheses()).filter_map(equated_index);
-            said.any(|own| own == name)
+            let all: Vec<String> = names.iter().cloned().collect();
+            said.any(|own| own == name) || self.by_formula(name, &all).is_some()
         };
         found.retain(|name| !made(name));
         found

@@ -9,7 +9,9 @@ use crate::judge::page::object::{Declared, Sort};
 use crate::judge::page::statement::Place;
 use crate::judge::written::names::{Head, bases, walk};
 use crate::language::lexicon::families;
+use crate::language::lexicon::roles::{self, Listed};
 use crate::math::number::{Rational, integer};
+use num_traits::ToPrimitive;
 
 /// So many knots are taken of a formula for all of them.
 const FORMULA_KNOTS: std::ops::Range<i64> = -4..13;
@@ -22,11 +24,31 @@ impl Context {
         if found.is_empty() {
             found = divided_by(sides);
         }
-        if found.is_empty() { vec!["t".to_owned()] } else { found }
+        if found.is_empty() { vec![self.usual_knots(place)] } else { found }
+    }
+
+    /// The letter that many give to knots and this section to numbers in a row: u, after u_0 = u_1 = u_2 = 0, u_3 = 1; else t.
+    fn usual_knots(&self, place: &Place) -> String {
+        let letters = roles::letters_of(Listed::Knots).filter(|letter| **letter != "t");
+        let given = |letter: &&&str| !in_order(self.members_given(&[(**letter).to_owned()], place)).is_empty();
+        letters.into_iter().find(|letter| given(&letter)).map_or("t".to_owned(), |letter| (*letter).to_owned())
     }
 
     /// The knots that the section gives by number, from the first on without a gap.
     pub fn given_knots(&self, letters: &[String], place: &Place) -> BTreeMap<i64, Rational> {
+        let found = self.members_given(letters, place);
+        if !found.is_empty() {
+            return in_order(found);
+        }
+        let first = self
+            .first_listed(letters, place)
+            .or_else(|| self.letters.first_knot())
+            .or_else(|| self.first_point(place));
+        first.map_or_else(BTreeMap::new, |first| in_order((first..).zip(self.unnamed_knots(place)).collect()))
+    }
+
+    /// The values that the section gives to members of some letters, by their numbers.
+    fn members_given(&self, letters: &[String], place: &Place) -> BTreeMap<i64, Rational> {
         let mut found = BTreeMap::new();
         for letter in letters {
             for (_, definition, near) in self.visible(letter, place) {
@@ -56,17 +78,18 @@ impl Context {
                 }
             }
         }
-        if found.is_empty()
-            && let Some(first) = self
-                .first_listed(letters, place)
-                .or_else(|| self.letters.first_knot())
-                .or_else(|| self.first_point(place))
+        // i^2 increases from 0 on.
+        if let Some((first, _)) = found.first_key_value()
+            && *first == FORMULA_KNOTS.start
         {
-            found = (first..).zip(self.unnamed_knots(place)).collect();
+            while let Some((second, next)) = found.iter().nth(1)
+                && *second < 1
+                && found.first_key_value().is_some_and(|(_, first)| first > next)
+            {
+                found.pop_first();
+            }
         }
-        let knots: Vec<(&i64, &Rational)> = found.iter().collect();
-        let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
-        if whole && knots.len() > 2 { found } else { BTreeMap::new() }
+        found
     }
 
     /// The number of the first knot where the page lists their names: 0 of t_0, …, t_7.
@@ -277,8 +300,20 @@ impl Context {
 fn family(member: &Expr) -> Option<&Expr> {
     match &member.kind {
         Kind::Subscript(base, _) => Some(base),
+        // u_i = 2i
+        Kind::Chain(left, _) => match &left.kind {
+            Kind::Subscript(base, _) => Some(base),
+            _ => None,
+        },
         _ => None,
     }
+}
+
+/// Knots whose numbers follow each other and that do not decrease; nothing if others are among them, or too few.
+fn in_order(found: BTreeMap<i64, Rational>) -> BTreeMap<i64, Rational> {
+    let knots: Vec<(&i64, &Rational)> = found.iter().collect();
+    let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
+    if whole && knots.len() > 2 { found } else { BTreeMap::new() }
 }
 
 /// i ∈ ℤ
@@ -303,6 +338,12 @@ fn value_at(body: &Expr, index: &str, value: i64) -> Option<Rational> {
             let below = of(below)?;
             (below != integer(0)).then_some(())?;
             of(above)? / below
+        }
+        // i^2, 2^i
+        Kind::Pow(base, exponent) => {
+            let (base, exponent) = (of(base)?, of(exponent)?);
+            let power = exponent.is_integer().then(|| exponent.to_i32()).flatten()?;
+            (0..=16).contains(&power).then(|| (0..power).fold(integer(1), |all, _| all * &base))?
         }
         _ => return None,
     })

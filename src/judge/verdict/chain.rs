@@ -22,6 +22,9 @@ use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Index;
 use num_traits::Zero;
 
+/// Dots between names stand for fewer than so many.
+const MOST_DOTS: i64 = 64;
+
 impl Checker {
     pub(in crate::judge) fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
         let place = &statement.place;
@@ -93,7 +96,7 @@ impl Checker {
                 && value.kind != Kind::Ellipsis
                 && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
             {
-                for side in &chain.sides {
+                for side in &with_dots_written_out(&chain.sides) {
                     let certain = |head: &Head| {
                         head.lower
                             .iter()
@@ -101,11 +104,11 @@ impl Checker {
                             .all(|index| matches!(index.kind, Kind::Number(_)))
                     };
                     // M_0 = M_n = 0, where M_i = s''(x_i): a condition on s
-                    if Head::of(&side.expr).is_some_and(|head| self.is_of_any_spline(&head, place)) {
-                        let equation = Expr::relation(side.expr.clone(), Rel::Eq, value.clone());
-                        self.condition(equation, side.expr.span, false, place);
-                    } else if let Some(head) = Head::of(&side.expr).filter(certain) {
-                        self.define(head, Body::Formula(value.clone()), &[], place, side.expr.span);
+                    if Head::of(side).is_some_and(|head| self.is_of_any_spline(&head, place)) {
+                        let equation = Expr::relation(side.clone(), Rel::Eq, value.clone());
+                        self.condition(equation, side.span, false, place);
+                    } else if let Some(head) = Head::of(side).filter(certain) {
+                        self.define(head, Body::Formula(value.clone()), &[], place, side.span);
                     }
                 }
             }
@@ -564,4 +567,27 @@ impl Checker {
             }
         }
     }
+}
+
+/// The sides of u_0 = … = u_2 = 0 with u_1, which the dots stand for.
+fn with_dots_written_out(sides: &[Side]) -> Vec<Expr> {
+    let member = |side: Option<&Side>| {
+        let head = Head::of(&side?.expr).filter(|head| head.arguments.is_none() && head.upper.is_empty())?;
+        let index = head.index()?.as_int()?;
+        Some((head, index))
+    };
+    let mut written = Vec::new();
+    for (at, side) in sides.iter().enumerate() {
+        let before = at.checked_sub(1).and_then(|before| member(sides.get(before)));
+        match (side.expr.kind == Kind::Ellipsis, before, member(sides.get(at + 1))) {
+            (true, Some((head, first)), Some((other, last)))
+                if head.base == other.base && last - first < MOST_DOTS =>
+            {
+                let base = |number| Kind::Subscript(Box::new(Expr::name(&head.base)), vec![Expr::int(number)]);
+                written.extend((first + 1..last).map(|number| Expr::new(base(number), side.expr.span)));
+            }
+            _ => written.push(side.expr.clone()),
+        }
+    }
+    written
 }

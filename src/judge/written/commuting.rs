@@ -17,16 +17,32 @@ type Words = BTreeMap<Vec<String>, Rational>;
 const MOST_WORDS: usize = 400;
 const HIGHEST_POWER: i64 = 6;
 
-/// The letters whose order matters for two sides: those in words that only one of them has. Nothing if the sides have the
-/// same words, or are more than sums, products and powers.
+/// The letters whose order matters for two sides that are equal for numbers: those in words that only one of them has.
+/// Nothing if the sides have the same words, or are more than sums, products and powers.
 ///
 /// Cost: the number of words, at most [`MOST_WORDS`] for each product.
 pub(in crate::judge) fn letters_in_order(left: &Expr, right: &Expr) -> BTreeSet<String> {
     let (Some(left), Some(right)) = (words(left), words(right)) else { return BTreeSet::new() };
+    // What holds by what the page says does not show in its letters.
+    if sorted(&left) != sorted(&right) {
+        return BTreeSet::new();
+    }
     let differs = |(word, value): (&Vec<String>, &Rational), other: &Words| other.get(word) != Some(value);
     let one = left.iter().filter(|pair| differs(*pair, &right)).map(|(word, _)| word);
     let other = right.iter().filter(|pair| differs(*pair, &left)).map(|(word, _)| word);
     one.chain(other).filter(|word| word.len() > 1).flatten().cloned().collect()
+}
+
+/// The same for letters that commute.
+fn sorted(words: &Words) -> Words {
+    let mut sum = Words::new();
+    for (word, value) in words {
+        let mut word = word.clone();
+        word.sort();
+        *sum.entry(word).or_insert_with(Rational::zero) += value;
+    }
+    sum.retain(|_, value| !value.is_zero());
+    sum
 }
 
 fn words(expr: &Expr) -> Option<Words> {

@@ -35,7 +35,7 @@ impl Head {
     }
 
     /// The standard notation that it is written in, if it has one.
-    pub(in crate::judge) fn notation(&self) -> Option<&'static Notation> {
+    pub(crate) fn notation(&self) -> Option<&'static Notation> {
         if self.has_its_degree_below() {
             return None;
         }

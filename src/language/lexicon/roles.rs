@@ -100,6 +100,11 @@ pub(crate) fn is_degree(letter: &str) -> bool {
     DEGREES.contains(&letter)
 }
 
+/// The letters that usually stand for such members.
+pub(crate) fn letters_of(role: Listed) -> impl Iterator<Item = &'static &'static str> {
+    LISTS.iter().filter(move |(own, _)| *own == role).flat_map(|(_, letters)| letters.iter())
+}
+
 /// Whether it usually is the last value of an index.
 pub(crate) fn is_size(letter: &str) -> bool {
     is_degree(letter) || letter == "M"

@@ -145,7 +145,10 @@ impl Reader<'_> {
         // "The curve is x(t) = …, w(t) = …" says what x is.
         let said = self.said(number);
         let equation = matches!(said.first(), Some(Expr { kind: Kind::Chain(..), .. }));
-        let said = if equation { &said[..1] } else { said };
+        // "A curve is x(t) = Σ b_i B_i^n(t), B_i^n(t) = …", in whatever order these are read
+        let usual = |item: &&Expr| Head::of(left_side(item)).is_some_and(|head| head.notation().is_some());
+        let first = said.iter().position(|item| !usual(&item)).unwrap_or(0);
+        let said = if equation { &said[first..=first] } else { said };
         let mut items: Vec<Expr> = said.iter().filter_map(name_in).collect();
         // "The blossoms are f and g"
         if !equation {

@@ -91,7 +91,9 @@ impl Suspect<'_> {
 
     /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
     pub(in crate::judge) fn is_slip(&self, repair: impl FnOnce() -> Option<Repair>) -> bool {
-        self.says_much()
+        // "Let b_i = …" gives a name another value, however near that is.
+        self.statement.role != Some(Role::Introduced)
+            && self.says_much()
             && (self.is_near_its_meaning() || self.claimed() && self.uses_what_is_near())
             && !self.may_be_a_condition()
             && self.doubt_of_form().is_none()
