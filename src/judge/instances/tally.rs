@@ -15,6 +15,8 @@ pub struct Failure {
     pub degree: Option<usize>,
     /// The parameter near which piecewise polynomials were considered.
     pub around: Option<Rational>,
+    /// Whether that parameter says where it fails: of numbers it says nothing.
+    pub varies: bool,
     /// Whether nothing in it is extreme: indices neither at the ends nor outside.
     pub inner: bool,
     /// Whether an index is greater than a size.

@@ -528,6 +528,10 @@ impl<'a> Trial<'a> {
                         integers: bound.to_vec(),
                         degree,
                         around: around.clone(),
+                        varies: self
+                            .sides
+                            .iter()
+                            .any(|side| bases(side).iter().any(|name| is_variable(name))),
                         inner,
                         outside: outside
                             || degree

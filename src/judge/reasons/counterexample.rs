@@ -76,7 +76,7 @@ fn instance(failure: &Failure) -> String {
     if let (Some(degree), true) = (failure.degree, failure.integers.is_empty()) {
         pairs.push(format!("degree {degree}"));
     }
-    if let Some(around) = &failure.around {
+    if let Some(around) = failure.around.as_ref().filter(|_| failure.varies) {
         pairs.push(format!("near t = {around}"));
     }
     pairs.join(", ")

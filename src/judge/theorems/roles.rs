@@ -26,6 +26,10 @@ pub(super) fn is_no_basis(theirs: &str, ours: &Expr, context: &Context, place: &
         _ => return false,
     };
     let Some(head) = Head::of(ours) else { return false };
+    let told = context.object_called(&head.base, place);
+    if told.is_some_and(|told| matches!(told.object.sort, Sort::Other(_))) {
+        return true;
+    }
     let named = [(1, 1), (2, 0)].iter().any(|(lower, upper)| {
         families::notation(&head.base, *lower, *upper).is_some_and(|notation| notation.family == family)
     });

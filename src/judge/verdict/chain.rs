@@ -583,7 +583,8 @@ fn with_dots_written_out(sides: &[Side]) -> Vec<Expr> {
             (true, Some((head, first)), Some((other, last)))
                 if head.base == other.base && last - first < MOST_DOTS =>
             {
-                let base = |number| Kind::Subscript(Box::new(Expr::name(&head.base)), vec![Expr::int(number)]);
+                let base =
+                    |number| Kind::Subscript(Box::new(Expr::name(&head.base)), vec![Expr::int(number)]);
                 written.extend((first + 1..last).map(|number| Expr::new(base(number), side.expr.span)));
             }
             _ => written.push(side.expr.clone()),

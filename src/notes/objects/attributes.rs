@@ -7,7 +7,13 @@ use super::{Reader, in_order};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::page::object::{Object, Sort};
 use crate::judge::written::names::{Head, bases};
-use crate::notes::speech::Word;
+use crate::notes::speech::{self, Word};
+
+/// What words make of a function.
+enum Made {
+    Formula(Vec<Expr>),
+    Unknown(String),
+}
 
 impl Reader<'_> {
     /// The members of the family of a name that a formula, or with `row` several after each other, give one by one.
@@ -112,6 +118,34 @@ impl Reader<'_> {
             .find(|&at| !joins(at) && !self.is(at, &Word::On) && !self.is(at, &Word::Be))?;
         let (from, to) = ends(self.said(self.formula_at(start)?))?;
         Some((vec![from, Kind::Ellipsis.into(), to], start + 1))
+    }
+
+    /// "Of its derivative F'", "of the square of F": what words make of a function, and the token after them.
+    fn made_from(&self, at: usize) -> Option<(Made, usize)> {
+        let skipped = |token: &Token| {
+            matches!(token, Token::Word(Word::Its | Word::The | Word::Article | Word::Filler | Word::Der))
+        };
+        let noun = (at..self.tokens.len()).find(|&at| !skipped(&self.tokens[at]))?;
+        let its = (at..noun).any(|at| self.is(at, &Word::Its));
+        let Token::Unknown(words) = &self.tokens[noun] else { return None };
+        if let Some(number) = self.formula_at(noun + 1) {
+            return Some((Made::Formula(self.said(number).to_vec()), noun + 2));
+        }
+        let of = self.is(noun + 1, &Word::Of) || self.is(noun + 1, &Word::Der);
+        let start = self.skip_fillers(noun + 2);
+        let (function, end) = match (self.formula_at(start).filter(|_| of), self.talk.topic.as_slice()) {
+            (Some(number), _) => match self.said(number) {
+                [only] => (name_in(only)?, start + 1),
+                _ => return None,
+            },
+            (None, [one]) if its => (one.clone(), noun + 1),
+            _ => return None,
+        };
+        let derived = speech::is_the_derivative(words) && matches!(function.kind, Kind::Name(_));
+        Some(match derived {
+            true => (Made::Formula(vec![Kind::Prime(Box::new(function), 1).into()]), end),
+            false => (Made::Unknown(words.clone()), end),
+        })
     }
 
     /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
@@ -240,6 +274,17 @@ impl Reader<'_> {
             Token::Word(word) => word,
             _ => return None,
         };
+        if *word == Word::Of
+            && object.sort == Sort::PolarForm
+            && of.is_empty()
+            && let Some((made, end)) = self.made_from(next)
+        {
+            match made {
+                Made::Formula(items) => of.extend(items),
+                Made::Unknown(words) => object.sort = Sort::Other(words.into()),
+            }
+            return Some(end);
+        }
         match word {
             Word::Of | Word::On | Word::With | Word::As => {
                 let mut next = next;

@@ -406,6 +406,24 @@ pub fn explains(words: &str) -> bool {
     words.any(|word| text.starts_with(word))
 }
 
+/// Whether words are one for the first derivative, and nothing else.
+pub fn is_the_derivative(words: &str) -> bool {
+    let text = plain(words);
+    DERIVATIVE.contains(&text.trim())
+}
+
+/// The words for the first derivative.
+const DERIVATIVE: &[&str] = &[
+    "derivative",
+    "first derivative",
+    "hodograph",
+    "ableitung",
+    "erste ableitung",
+    "dérivée",
+    "导数",
+    "一阶导数",
+];
+
 /// Which of two parts, the left or the right one, words speak of last.
 pub fn last_side(words: &str) -> Option<Topic> {
     let text = plain(words);
