@@ -318,7 +318,8 @@ impl Checker {
                     .iter()
                     .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)))
         });
-        let assumed = statement.role == Some(Role::Assumed);
+        // "It is not assumed that p + q = 1"
+        let assumed = statement.role == Some(Role::Assumed) && !statement.denied;
         if let (true, Some(head), [(Rel::Eq | Rel::Define, span)]) =
             (assumed || formula, new, chain.relations.as_slice())
             && !chain.sides[1].is_unread()

@@ -5,18 +5,20 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use crate::budget::Limits;
-use crate::formula::Expr;
+use crate::formula::{Expr, Kind, Rel};
 use crate::formula::source::{SourceFile, Span};
 use crate::judge::known::found::{Agreement, Equation, Row, Scheme, Taken, Use};
 use crate::judge::known::senses::{Appeal, Sense};
 use crate::judge::known::unread::Unread;
-use crate::judge::model::Ambiguity;
+use crate::judge::model::{Ambiguity, holds};
 use crate::judge::page::context::{Body, Condition, Context, Definition, Mark, Source};
 use crate::judge::page::finding::Finding;
 use crate::judge::page::letters::Letters;
 use crate::judge::page::statement::{Place, Statement, links};
-use crate::judge::written::names::Head;
+use crate::judge::values::evaluator;
+use crate::judge::written::names::{Head, symbol_of};
 use crate::language::diagnostic::Diagnostic;
+use crate::language::value::Value;
 
 /// Judges statements in their order.
 #[derive(Clone)]
@@ -133,8 +135,49 @@ impl Checker {
     ) {
         let line = self.line(span);
         for expr in links(&expr) {
+            self.give_up_what_contradicts(&expr, place);
             let condition = Condition { expr, assumed, place: place.clone(), line, ranges: ranges.to_vec() };
             Rc::make_mut(&mut self.context).conditions.push(condition);
+        }
+    }
+
+    /// "Suppose that a = b. … Suppose now that a ≠ b": what is supposed ends where the opposite is supposed in its paragraph.
+    fn give_up_what_contradicts(&mut self, new: &Expr, place: &Place) {
+        let Kind::Chain(left, links) = &new.kind else { return };
+        let [link] = links.as_slice() else { return };
+        if !matches!(link.rel, Rel::Ne | Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge) {
+            return;
+        }
+        let (left, right) = (left.as_ref(), &link.expr);
+        let opposite = |known: &Condition| match &known.expr.kind {
+            Kind::Chain(one, links) if link.rel == Rel::Ne && known.place.group == place.group => {
+                let same = |other: &Expr| {
+                    one.same_as(left) && other.same_as(right) || one.same_as(right) && other.same_as(left)
+                };
+                matches!(links.as_slice(), [own] if own.rel == Rel::Eq && same(&own.expr))
+            }
+            _ => false,
+        };
+        let Some(head) = Head::of(left).filter(|head| head.arguments.is_none()) else { return };
+        let given = |own: &Definition| match (&own.body, link.rel) {
+            (Body::Formula(body), Rel::Ne) => body.same_as(right),
+            (Body::Formula(_), _) => {
+                let value = own.number().and_then(|body| body.as_number().cloned()).map(Value::number);
+                let held = value.map(|value| {
+                    let name = [(symbol_of(&head.base), value)];
+                    evaluator::machine().with_locals(name, |machine| Ok(holds(machine, new)))
+                });
+                held.is_some_and(|held| held == Ok(Some(false)))
+            }
+            (Body::Value(_), _) => false,
+        };
+        let latest = self.context.visible(&head.base, place).next();
+        let ended = latest.is_some_and(|(_, own, _)| own.place.group == place.group && given(own));
+        if ended {
+            self.context = Rc::new(self.context.without(std::slice::from_ref(&head.base)));
+        }
+        if self.context.conditions.iter().any(opposite) {
+            Rc::make_mut(&mut self.context).conditions.retain(|known| !opposite(known));
         }
     }
 

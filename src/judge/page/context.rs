@@ -13,6 +13,7 @@ use crate::language::lexicon::families;
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
+use crate::math::number::Rational;
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
@@ -105,6 +106,28 @@ pub struct Context {
 struct Seen {
     place: Option<Place>,
     letters: HashMap<String, Rc<[(usize, bool)]>>,
+    /// The number of the object of each way to write a name.
+    objects: HashMap<Shape, Option<usize>>,
+}
+
+/// What decides which object a name is: its letter, the numbers among its indices, whether it is called.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+struct Shape {
+    base: String,
+    lower: Vec<Option<Rational>>,
+    upper: usize,
+    called: bool,
+}
+
+impl Shape {
+    fn of(head: &Head) -> Self {
+        Shape {
+            base: head.base.clone(),
+            lower: head.lower.iter().map(|index| index.as_number().cloned()).collect(),
+            upper: head.upper.len(),
+            called: head.arguments.is_some(),
+        }
+    }
 }
 
 /// How much was known at some time.
@@ -424,6 +447,35 @@ impl Context {
         self.spoken(base).filter(|declared| !declared.object.is_size())
     }
 
+    /// What `find` says of a head at a place, or what it said of the last one that was written alike there.
+    pub(super) fn remembered(
+        &self,
+        head: &Head,
+        place: &Place,
+        find: impl FnOnce() -> Option<usize>,
+    ) -> Option<&Declared> {
+        let shape = Shape::of(head);
+        let here = |seen: &Seen| seen.place.as_ref() == Some(place);
+        let known = Some(&*self.seen.borrow()).filter(|seen| here(seen)).and_then(|seen| seen.objects.get(&shape).copied());
+        let number = known.unwrap_or_else(|| {
+            let number = find();
+            let mut seen = self.seen.borrow_mut();
+            if !here(&seen) {
+                *seen = Seen { place: Some(place.clone()), ..Seen::default() };
+            }
+            seen.objects.insert(shape, number);
+            number
+        });
+        number.map(|number| &self.objects[number])
+    }
+
+    /// The objects of a letter with their numbers, the latest first.
+    pub(super) fn numbered_objects(&self, base: &str) -> impl Iterator<Item = (usize, &Declared)> + Clone {
+        let numbers = self.named.get(base).map_or(&[][..], |[_, numbers]| numbers);
+        let all = numbers.iter().rev().map(|&number| (number, &self.objects[number]));
+        all.filter(|(_, declared)| !declared.object.is_size())
+    }
+
     /// Where words say that a letter is a degree or an order, the latest first.
     pub fn sizes_of(&self, base: &str) -> impl Iterator<Item = &Declared> {
         self.spoken(base).filter(|declared| declared.object.is_size())
@@ -443,7 +495,7 @@ impl Context {
     fn seen(&self, base: &str, place: &Place) -> Rc<[(usize, bool)]> {
         let mut seen = self.seen.borrow_mut();
         if seen.place.as_ref() != Some(place) {
-            *seen = Seen { place: Some(place.clone()), letters: HashMap::new() };
+            *seen = Seen { place: Some(place.clone()), ..Seen::default() };
         } else if let Some(found) = seen.letters.get(base) {
             return found.clone();
         }

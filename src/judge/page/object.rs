@@ -319,16 +319,21 @@ pub struct Declared {
 impl Context {
     /// What a head is, as far as words tell: the latest object of its name, those of the same section first.
     pub fn object(&self, head: &Head, place: &Place) -> Option<&Declared> {
-        let alive = |declared: &&Declared| {
+        self.remembered(head, place, || self.object_number(head, place))
+    }
+
+    fn object_number(&self, head: &Head, place: &Place) -> Option<usize> {
+        let alive = |(_, declared): &(usize, &Declared)| {
             place.in_reach(&declared.place, declared.object.local)
                 && !place.frees(&head.base, &declared.place)
                 && declared.object.name_for(head).is_some()
         };
-        let found = self.objects_of(&head.base).filter(alive);
-        found
-            .clone()
-            .find(|declared| place.sees(&declared.place) && !self.is_defined_again(declared, place))
-            .or_else(|| found.clone().next().filter(|declared| !self.is_past(declared, place)))
+        let found = self.numbered_objects(&head.base).filter(alive);
+        let near = found.clone().find(|(_, declared)| {
+            place.sees(&declared.place) && !self.is_defined_again(declared, place)
+        });
+        let far = || found.clone().next().filter(|(_, declared)| !self.is_past(declared, place));
+        near.or_else(far).map(|(number, _)| number)
     }
 
     /// Whether a name got another formula since words spoke of it: H = FG is a quadratic, then F is another one.
