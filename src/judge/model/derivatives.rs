@@ -128,7 +128,10 @@ impl Model {
             values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
         let head = Head::of(function);
         let own: Option<Vec<Symbol>> = head.and_then(|head| {
-            let (_, definition, _) = self.context.visible(&head.base, &self.place).next()?;
+            let count = values.iter().flatten().count();
+            // z = 1 + 4u + 2v beside z(u, v) is a plane.
+            let mut visible = self.context.visible(&head.base, &self.place);
+            let (_, definition, _) = visible.find(|(_, own, _)| own.head.flat().len() == count)?;
             let name = |argument: &&Expr| match &argument.kind {
                 Kind::Name(name) => Some(Symbol::new(name)),
                 _ => None,
@@ -138,9 +141,6 @@ impl Model {
         let (Some(arguments), Some(own)) = (arguments, own) else {
             return Err(unclear("what the value of this derivative is", expr));
         };
-        if own.len() != arguments.len() {
-            return Err(unclear("what the value of this derivative is", expr));
-        }
         let free: Vec<(Symbol, Value)> =
             own.iter().map(|name| (name.clone(), Value::symbol(name.clone()))).collect();
         let derivative = machine.with_locals(free, |machine| machine.eval(callee))?;

@@ -345,7 +345,7 @@ impl Suspect<'_> {
                 condition.place.group == place.group
                     && place.knows(&condition.place, condition.assumed)
                     && bases(&condition.expr).contains(&head.base)
-                    && condition.expr.has(&is_standard)
+                    && (condition.expr.has(&is_standard) || is_identity(&condition.expr))
             })
     }
 
@@ -526,6 +526,16 @@ impl Suspect<'_> {
             && common > 2
             && 2 * common >= all
     }
+}
+
+/// q(t) = β_0 (1 - t)^2 + …: two formulas for one function of a variable.
+fn is_identity(condition: &Expr) -> bool {
+    let Kind::Chain(left, links) = &condition.kind else { return false };
+    let variables = |expr: &Expr| -> BTreeSet<String> {
+        bases(expr).into_iter().filter(|name| is_variable(name)).collect()
+    };
+    let own = variables(left);
+    links.iter().all(|link| link.rel == Rel::Eq && !variables(&link.expr).is_disjoint(&own))
 }
 
 fn is_name(expr: &Expr, name: &str) -> bool {
