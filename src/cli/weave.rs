@@ -315,11 +315,8 @@ fn ended(woven: &Woven) -> Status {
 }
 
 fn summary(name: &str, woven: &Woven) -> serde_json::Value {
-    let stale: BTreeSet<(String, usize)> = woven
-        .stale
-        .iter()
-        .map(|(file, span)| (file.name().to_owned(), file.line_column(span.start).0))
-        .collect();
+    let stale: BTreeSet<(String, usize)> =
+        woven.stale.iter().map(|(file, span)| (file.name().to_owned(), file.line(span.start))).collect();
     let stale: Vec<_> = stale.iter().map(|(file, line)| json!({"file": file, "line": line})).collect();
     json!({
         "file": name,

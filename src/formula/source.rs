@@ -121,7 +121,12 @@ impl SourceFile {
         self.inner.text.get(span.range()).unwrap_or("")
     }
 
-    /// Line and column (in characters) of a byte, both counted from 1.
+    /// The line of a byte, counted from 1. Cost: the logarithm of the number of lines.
+    pub(crate) fn line(&self, byte: usize) -> usize {
+        self.inner.line_starts.partition_point(|&start| start <= byte).max(1)
+    }
+
+    /// Line and column (in characters) of a byte, both counted from 1. Cost: the length of the line before it.
     ///
     /// ```
     /// use polarform::source::SourceFile;
@@ -129,7 +134,7 @@ impl SourceFile {
     /// assert_eq!(file.line_column(5), (2, 3));
     /// ```
     pub fn line_column(&self, byte: usize) -> (usize, usize) {
-        let line = self.inner.line_starts.partition_point(|&start| start <= byte).max(1);
+        let line = self.line(byte);
         let start = self.inner.line_starts[line - 1];
         let before = self.inner.text[start..].char_indices().take_while(|&(i, _)| start + i < byte);
         (line, before.count() + 1)

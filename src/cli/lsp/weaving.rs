@@ -91,7 +91,7 @@ pub(super) fn woven(
     let wrong = woven.problems.iter().filter(|failure| failure.problem.severity == Severity::Error);
     let mut problems: Vec<String> = wrong
         .map(|failure| {
-            let line = failure.problem.span.map_or(1, |span| failure.file.line_column(span.start).0);
+            let line = failure.problem.span.map_or(1, |span| failure.file.line(span.start));
             format!("line {line}: {}", failure.problem.message)
         })
         .collect();

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use crate::budget::Limits;
-use crate::formula::{Expr, Kind, Rel};
 use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::known::found::{Agreement, Equation, Row, Scheme, Taken, Use};
 use crate::judge::known::senses::{Appeal, Sense};
 use crate::judge::known::unread::Unread;
@@ -116,7 +116,7 @@ impl Checker {
     }
 
     pub(in crate::judge) fn line(&self, span: Span) -> usize {
-        self.file.line_column(span.start).0
+        self.file.line(span.start)
     }
 
     /// Adds a condition that later formulas may need.

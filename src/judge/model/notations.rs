@@ -470,7 +470,11 @@ impl Model {
     /// The last index for which the terms of a sum over all integers do not vanish, by the binomial or Bernstein
     /// polynomial in them: n for C(n, k) and B_k^n, also if a name for them stands there.
     fn last_nonzero(&self, body: &Expr, index: &str) -> Option<Expr> {
-        let mut last = last_nonzero(body, index);
+        let bernstein = |head: &Head| {
+            let own = || self.context.is_own(&head.base, &self.place);
+            head.is_a(Family::Bernstein) && (head.lower.len() == 1 || !own())
+        };
+        let mut last = last_nonzero(body, index, &bernstein);
         let mut heads: Vec<Head> = Vec::new();
         walk(body, &mut |part| heads.extend(Head::of(part).filter(|head| !head.lower.is_empty())));
         for head in heads {
@@ -482,7 +486,7 @@ impl Model {
                 let (Body::Formula(body), Kind::Name(letter)) = (&definition.body, &own.get(at)?.kind) else {
                     return None;
                 };
-                let last = last_nonzero(body, letter).filter(|_| own.len() == given.len())?;
+                let last = last_nonzero(body, letter, &bernstein).filter(|_| own.len() == given.len())?;
                 let place = own.iter().position(|own| own.same_as(&last));
                 Some(place.map_or(last, |place| given[place].clone()))
             });
@@ -542,18 +546,22 @@ fn is_infinity(expr: &Expr) -> bool {
 
 /// The last index for which the terms of a sum over all integers do not vanish, by the binomial or Bernstein
 /// polynomial in them: n for C(n, k) and B_k^n.
-fn last_nonzero(body: &Expr, index: &str) -> Option<Expr> {
+fn last_nonzero(body: &Expr, index: &str, bernstein: &dyn Fn(&Head) -> bool) -> Option<Expr> {
     let is_index = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == index);
     let mut last = None;
     walk(body, &mut |part| match &part.kind {
         Kind::Binomial(n, k, _) if is_index(k) => last = Some(n.as_ref().clone()),
         Kind::Apply(callee, _) => {
             if let Some(head) = Head::of(callee)
-                && head.is_a(Family::Bernstein)
-                && let ([i], [n]) = (head.lower.as_slice(), head.upper.as_slice())
-                && is_index(i)
+                && bernstein(&head)
+                && let [one, other] = head.lower.iter().chain(&head.upper).collect::<Vec<_>>()[..]
             {
-                last = Some(n.clone());
+                // B_i^n, B_{i,n}, or B_{n,i}
+                match (is_index(one), is_index(other)) {
+                    (true, false) => last = Some(other.clone()),
+                    (false, true) => last = Some(one.clone()),
+                    _ => {}
+                }
             }
         }
         _ => {}

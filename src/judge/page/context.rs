@@ -456,7 +456,9 @@ impl Context {
     ) -> Option<&Declared> {
         let shape = Shape::of(head);
         let here = |seen: &Seen| seen.place.as_ref() == Some(place);
-        let known = Some(&*self.seen.borrow()).filter(|seen| here(seen)).and_then(|seen| seen.objects.get(&shape).copied());
+        let known = Some(&*self.seen.borrow())
+            .filter(|seen| here(seen))
+            .and_then(|seen| seen.objects.get(&shape).copied());
         let number = known.unwrap_or_else(|| {
             let number = find();
             let mut seen = self.seen.borrow_mut();

@@ -329,9 +329,9 @@ impl Context {
                 && declared.object.name_for(head).is_some()
         };
         let found = self.numbered_objects(&head.base).filter(alive);
-        let near = found.clone().find(|(_, declared)| {
-            place.sees(&declared.place) && !self.is_defined_again(declared, place)
-        });
+        let near = found
+            .clone()
+            .find(|(_, declared)| place.sees(&declared.place) && !self.is_defined_again(declared, place));
         let far = || found.clone().next().filter(|(_, declared)| !self.is_past(declared, place));
         near.or_else(far).map(|(number, _)| number)
     }

@@ -82,8 +82,9 @@ impl PartialEq for Symbol {
         let (a, b) = (&*self.0, &*other.0);
         Arc::ptr_eq(&self.0, &other.0)
             || a.start == b.start
+                && a.base.len() == b.base.len()
                 && a.indices == b.indices
-                && a.base == b.base
+                && (a.base.len() <= 8 || a.base == b.base)
                 && a.upper == b.upper
                 && a.accent == b.accent
     }

@@ -21,6 +21,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod tokens;
+mod unnamed;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -96,6 +97,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let sections = sections(sentences, &page);
     patches::tell(&sections, &page, &mut found);
     quantities::tell(&sections, &page, &mut found);
+    unnamed::tell(&sections, &page, &mut found);
     // "A rational curve" of which no weights are given, rational basis functions
     let other = |object: &&mut Object| {
         object.rational
@@ -417,7 +419,7 @@ impl<'a> Reader<'a> {
         // "Its control points are a_0 = 1, a_1 = 0, …": all that the formula gives
         let names = match (&object.sort, names.as_slice()) {
             (Sort::ControlPoints, [only]) => {
-                let row = !of.is_empty() && !self.is(from, &Word::Its);
+                let row = !of.is_empty() || definite;
                 self.siblings(only, number, row)
             }
             _ => names,
