@@ -419,7 +419,11 @@ impl<'a> Reader<'a> {
         // "Its control points are a_0 = 1, a_1 = 0, …": all that the formula gives
         let names = match (&object.sort, names.as_slice()) {
             (Sort::ControlPoints, [only]) => {
-                let row = !of.is_empty() || definite;
+                let spline = |of: &Expr| {
+                    let known = self.known(of);
+                    known.is_some_and(|known| known.sort == Sort::SplineCurve && known.points.is_empty())
+                };
+                let row = !of.is_empty() && (!self.is(from, &Word::Its) || of.iter().all(spline));
                 self.siblings(only, number, row)
             }
             _ => names,
