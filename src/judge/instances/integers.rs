@@ -8,12 +8,25 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::instances::trial::Trial;
 use crate::judge::page::context::{Body, Definition, Source};
 use crate::judge::values::evaluator;
-use crate::judge::written::names::{Head, bases, integer_names, is_extreme, is_index_letter, walk};
+use crate::judge::written::features::highest_derivative;
+use crate::judge::written::names::{
+    Head, bases, integer_names, is_extreme, is_index_letter, own_names, underived, walk,
+};
 use crate::language::value::Value;
+use crate::language::write;
 use crate::math::poly::Symbol;
 
 /// With more integers in the sides no others are tried beside them.
 const MOST_BESIDE_SIZES: usize = 3;
+
+/// Degrees tried for functions without a definition, unless a derivative asks for more.
+const LARGEST_DEGREE: usize = 4;
+
+/// Numbers in a side up to this one say how many values of an integer have to be tried.
+const LARGEST_NUMBER: i64 = 20;
+
+/// Formulas for any function with so many of its values are tried for higher degrees.
+const MOST_VALUES: usize = 8;
 
 /// Names with their integers, for the evaluator.
 pub(in crate::judge) fn as_values(bound: &[(String, i64)]) -> impl Iterator<Item = (Symbol, Value)> {
@@ -217,6 +230,51 @@ impl Trial<'_> {
             self.sides.iter().for_each(|side| walk(side, &mut look));
             found
         })
+    }
+
+    /// Whether no side has names but these integers, and those that its sums run over.
+    pub(super) fn is_of_integers(&self, integers: &[String]) -> bool {
+        self.sides.iter().all(|side| {
+            let mut inside = BTreeSet::new();
+            walk(side, &mut |part| {
+                if let Kind::Big { lower, .. } = &part.kind {
+                    inside.extend(own_names(lower));
+                }
+            });
+            bases(side).iter().all(|name| integers.contains(name) || inside.contains(name))
+        })
+    }
+
+    /// The largest small number in a side.
+    pub(super) fn largest_number(&self) -> i64 {
+        let mut found = 0;
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                let number = part.as_int().filter(|number| (0..=LARGEST_NUMBER).contains(number));
+                found = found.max(number.unwrap_or(0));
+            });
+        }
+        found
+    }
+
+    /// A degree for which every derivative that is written is still alive.
+    pub(super) fn largest_degree(&self) -> usize {
+        let derivatives = self.sides.iter().map(|side| highest_derivative(side) + 1);
+        // What is made of k values of any function is exact for degrees below k by chance.
+        let mut places: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                if let Kind::Apply(callee, groups) = &part.kind
+                    && Head::of(underived(callee))
+                        .is_some_and(|head| self.context.letters.is_function(&head.base))
+                    && let [argument] = groups.concat().as_slice()
+                {
+                    places.insert(write::text(argument));
+                }
+            });
+        }
+        let values = if places.len() > LARGEST_DEGREE { (places.len() + 1).min(MOST_VALUES) } else { 0 };
+        derivatives.fold(LARGEST_DEGREE.max(values), usize::max)
     }
 
     /// The value that a condition of the chain gives an integer: n = 2.

@@ -23,19 +23,13 @@ use crate::judge::page::statement::Place;
 use crate::judge::values::compare::{self, Outcome};
 use crate::judge::values::evaluator::{self, evaluate_reading};
 use crate::judge::values::family::advance;
-use crate::judge::written::features::{
-    ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs,
-};
-use crate::judge::written::names::{Head, bases, integer_names, is_index_letter, own_names, underived, walk};
+use crate::judge::written::features::{ends_of_sums, has_divided_differences, has_groups, pairs};
+use crate::judge::written::names::{bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
-use crate::language::write;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
 use num_traits::Zero;
-
-/// Degrees tried for functions without a definition, unless a derivative asks for more.
-const LARGEST_DEGREE: usize = 4;
 
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
@@ -45,12 +39,6 @@ const LARGEST_OF_NUMBERS: [i64; 6] = [0, 30, 14, 4, 3, 2];
 
 /// Larger values of the only integer of an inequality between numbers.
 const LATE: [i64; 3] = [60, 100, 200];
-
-/// Numbers in a side up to this one say how many values of an integer have to be tried.
-const LARGEST_NUMBER: i64 = 20;
-
-/// Formulas for any function with so many of its values are tried for higher degrees.
-const MOST_VALUES: usize = 8;
 
 /// More instances than this are not tried.
 const MOST: usize = 260;
@@ -123,38 +111,6 @@ impl<'a> Trial<'a> {
         &self.facts.earlier[..self.facts.near]
     }
 
-    /// The largest small number in a side.
-    fn largest_number(&self) -> i64 {
-        let mut found = 0;
-        for side in &self.sides {
-            walk(side, &mut |part| {
-                let number = part.as_int().filter(|number| (0..=LARGEST_NUMBER).contains(number));
-                found = found.max(number.unwrap_or(0));
-            });
-        }
-        found
-    }
-
-    /// A degree for which every derivative that is written is still alive.
-    fn largest_degree(&self) -> usize {
-        let derivatives = self.sides.iter().map(|side| highest_derivative(side) + 1);
-        // What is made of k values of any function is exact for degrees below k by chance.
-        let mut places: BTreeSet<String> = BTreeSet::new();
-        for side in &self.sides {
-            walk(side, &mut |part| {
-                if let Kind::Apply(callee, groups) = &part.kind
-                    && Head::of(underived(callee))
-                        .is_some_and(|head| self.context.letters.is_function(&head.base))
-                    && let [argument] = groups.concat().as_slice()
-                {
-                    places.insert(write::text(argument));
-                }
-            });
-        }
-        let values = if places.len() > LARGEST_DEGREE { (places.len() + 1).min(MOST_VALUES) } else { 0 };
-        derivatives.fold(LARGEST_DEGREE.max(values), usize::max)
-    }
-
     /// The integers that no condition gives by others: "where k = n + 1".
     fn free(&self, bound: &[(String, i64)]) -> Vec<(String, i64)> {
         let sum = |condition: &&Expr| matches!(&condition.kind, Kind::Chain(_, links) if matches!(links[0].expr.kind, Kind::Add(_)));
@@ -187,16 +143,7 @@ impl<'a> Trial<'a> {
         let sums: Vec<Option<Expr>> = integers.iter().map(|name| self.made_of(name, &integers)).collect();
         let free = sums.iter().filter(|sum| sum.is_none()).count();
         // n! ≤ 3^n fails late.
-        let counts = |side: &&Expr| {
-            let mut inside = BTreeSet::new();
-            walk(side, &mut |part| {
-                if let Kind::Big { lower, .. } = &part.kind {
-                    inside.extend(own_names(lower));
-                }
-            });
-            bases(side).iter().all(|name| integers.contains(name) || inside.contains(name))
-        };
-        let numbers = self.sides.iter().all(|side| counts(&side));
+        let numbers = self.is_of_integers(&integers);
         let equality = self.relations.iter().all(|rel| matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define));
         let tried = if numbers && (!equality || free > 3) { LARGEST_OF_NUMBERS } else { LARGEST };
         let largest = tried.get(free).copied().unwrap_or(1);

@@ -29,13 +29,9 @@ impl Context {
 
     /// The letter that many give to knots and this section to numbers in a row: u, after u_0 = u_1 = u_2 = 0, u_3 = 1; else t.
     fn usual_knots(&self, place: &Place) -> String {
-        let letters = roles::letters_of(Listed::Knots).filter(|letter| **letter != "t");
-        let given =
-            |letter: &&&str| !in_order(self.members_given(&[(**letter).to_owned()], place)).is_empty();
-        letters
-            .into_iter()
-            .find(|letter| given(&letter))
-            .map_or("t".to_owned(), |letter| (*letter).to_owned())
+        let mut others = roles::letters_of(Listed::Knots).filter(|letter| *letter != "t");
+        let given = |letter: &&str| !in_order(self.members_given(&[(*letter).to_owned()], place)).is_empty();
+        others.find(given).unwrap_or("t").to_owned()
     }
 
     /// The knots that the section gives by number, from the first on without a gap.

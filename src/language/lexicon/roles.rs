@@ -101,8 +101,8 @@ pub(crate) fn is_degree(letter: &str) -> bool {
 }
 
 /// The letters that usually stand for such members.
-pub(crate) fn letters_of(role: Listed) -> impl Iterator<Item = &'static &'static str> {
-    LISTS.iter().filter(move |(own, _)| *own == role).flat_map(|(_, letters)| letters.iter())
+pub(crate) fn letters_of(role: Listed) -> impl Iterator<Item = &'static str> {
+    LISTS.iter().filter(move |(own, _)| *own == role).flat_map(|(_, letters)| letters.iter().copied())
 }
 
 /// Whether it usually is the last value of an index.

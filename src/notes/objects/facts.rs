@@ -1,15 +1,19 @@
 //! Sentences that say something of what was spoken of before: "its weights are …", "N_2 has the knots …".
 
+use std::collections::BTreeMap;
+
+use super::super::sentence::Piece;
 use super::Reader;
 use super::attributes::listed;
 use super::phrase::Phrase;
 use super::subject::{ends, left_side, name_in};
 use super::tokens::Token;
-use crate::formula::{Expr, Kind, Sign, Term};
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::page::object::{Object, Sort};
+use crate::judge::page::statement::{Said, Statement};
 use crate::judge::written::names::{Head, bases};
 use crate::language::lexicon::families::{self, Family};
-use crate::notes::speech::Word;
+use crate::notes::speech::{self, Word};
 
 impl Reader<'_> {
     /// "p interpolates (0, 1), (1, 3)": data of the function that was spoken of last. Gives the token after them.
@@ -361,4 +365,31 @@ pub(super) fn families(items: &[Expr]) -> Vec<Vec<Expr>> {
         }
     }
     found.into_iter().map(|(_, list)| list).collect()
+}
+
+/// "x''(0) = 6 (b_2 - 2b_1 + b_0), where x has the points b_0, …, b_3": what is said after a claim of what it speaks of
+/// is said for it.
+pub(super) fn told_before(
+    sentence: &[Piece],
+    statements: &[Statement],
+    found: &mut BTreeMap<usize, Vec<Object>>,
+) {
+    let claims = |number: &usize| {
+        statements.iter().any(|statement| {
+            statement.place.formula == *number
+                && matches!(&statement.said, Said::Chain(chain) if chain.relations[0].0 == Rel::Eq)
+        })
+    };
+    let mut claim = None;
+    let mut after = false;
+    for piece in sentence {
+        match piece {
+            Piece::Words(words) => after |= claim.is_some() && speech::explains(words),
+            Piece::Formula(number) if after => {
+                let (Some(claim), Some(objects)) = (claim, found.remove(number)) else { continue };
+                found.entry(claim).or_default().extend(objects);
+            }
+            Piece::Formula(number) => claim = claim.or(Some(*number).filter(claims)),
+        }
+    }
 }

@@ -27,15 +27,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::attributes::is_call;
 use self::coreference::Talk;
-use self::facts::{are_coordinates, in_order, shared_out};
+use self::facts::{are_coordinates, in_order, shared_out, told_before};
 use self::page::{Page, by_members, formulas, sections};
 use self::phrase::Phrase;
-use self::subject::{left_side, name_in, named};
+use self::subject::{is_made_of_functions, left_side, name_in, named};
 use self::tables::Row;
 use self::tokens::{Token, tokens, without_smoothness};
 use super::sentence::Piece;
-use super::speech::{self, Word};
-use crate::formula::{Expr, Kind, Rel};
+use super::speech::Word;
+use crate::formula::{Expr, Kind};
 use crate::judge::page::object::{Object, RATIONAL, Sort};
 use crate::judge::page::statement::{Place, Said, Statement};
 use crate::judge::written::names::{Head, bases, is_index_letter};
@@ -122,29 +122,6 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         all.push(statement);
     }
     *statements = all;
-}
-
-/// "x''(0) = 6 (b_2 - 2b_1 + b_0), where x has the points b_0, …, b_3": what is said after a claim of what it speaks of
-/// is said for it.
-fn told_before(sentence: &[Piece], statements: &[Statement], found: &mut BTreeMap<usize, Vec<Object>>) {
-    let claims = |number: &usize| {
-        statements.iter().any(|statement| {
-            statement.place.formula == *number
-                && matches!(&statement.said, Said::Chain(chain) if chain.relations[0].0 == Rel::Eq)
-        })
-    };
-    let mut claim = None;
-    let mut after = false;
-    for piece in sentence {
-        match piece {
-            Piece::Words(words) => after |= claim.is_some() && speech::explains(words),
-            Piece::Formula(number) if after => {
-                let (Some(claim), Some(objects)) = (claim, found.remove(number)) else { continue };
-                found.entry(claim).or_default().extend(objects);
-            }
-            Piece::Formula(number) => claim = claim.or(Some(*number).filter(claims)),
-        }
-    }
 }
 
 struct Reader<'a> {
@@ -656,42 +633,4 @@ impl<'a> Reader<'a> {
             self.found.entry(number).or_default().push(object);
         }
     }
-
-    /// "Let G be a group": what a noun that is not known here says of names.
-    fn unknown_sort(&mut self, at: usize) {
-        let start = self.skip_fillers(at + 1);
-        let (items, mut end) = self.list(start);
-        let names: Vec<Expr> =
-            items.iter().filter(|item| matches!(item.kind, Kind::Name(_))).cloned().collect();
-        let Some(number) = self.formula_at(start).filter(|_| !names.is_empty() && names.len() == items.len())
-        else {
-            return;
-        };
-        let mut article = false;
-        while let Some(Token::Word(
-            word @ (Word::Be | Word::Filler | Word::The | Word::Same | Word::Article),
-        )) = self.tokens.get(end)
-        {
-            article |= *word == Word::Article;
-            end += 1;
-        }
-        if let (true, Some(Token::Unknown(words))) = (article, self.tokens.get(end))
-            && !matches!(self.tokens.get(end + 1), Some(Token::Word(Word::Noun(_))))
-        {
-            let sort = Sort::Other(words.clone().into());
-            self.found.entry(number).or_default().push(Object { names, ..Object::new(sort) });
-        }
-    }
-}
-
-/// Whether a formula is a sum, a product, a composition or a derivative of functions with capital letters: F + G, F'.
-fn is_made_of_functions(expr: &Expr) -> bool {
-    let capitals = bases(expr).iter().all(|name| name.starts_with(char::is_uppercase));
-    let made = match &expr.kind {
-        Kind::Prime(..) | Kind::Compose(_) => true,
-        Kind::Add(terms) => terms.len() > 1,
-        Kind::Mul(factors) => factors.len() > 1,
-        _ => false,
-    };
-    made && capitals && !expr.has(&|part| matches!(part.kind, Kind::Number(_) | Kind::Subscript(..)))
 }

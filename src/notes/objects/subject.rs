@@ -5,7 +5,7 @@ use super::Reader;
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::page::object::{Object, Sort};
-use crate::judge::written::names::Head;
+use crate::judge::written::names::{Head, bases};
 
 impl Reader<'_> {
     /// The formulas right before a token that a phrase can be said of, without values if it is said of `plain`
@@ -161,6 +161,32 @@ impl Reader<'_> {
         }
         (!items.is_empty()).then_some((items, number))
     }
+
+    /// "Let G be a group": what a noun that is not known here says of names.
+    pub(super) fn unknown_sort(&mut self, at: usize) {
+        let start = self.skip_fillers(at + 1);
+        let (items, mut end) = self.list(start);
+        let names: Vec<Expr> =
+            items.iter().filter(|item| matches!(item.kind, Kind::Name(_))).cloned().collect();
+        let Some(number) = self.formula_at(start).filter(|_| !names.is_empty() && names.len() == items.len())
+        else {
+            return;
+        };
+        let mut article = false;
+        while let Some(Token::Word(
+            word @ (Word::Be | Word::Filler | Word::The | Word::Same | Word::Article),
+        )) = self.tokens.get(end)
+        {
+            article |= *word == Word::Article;
+            end += 1;
+        }
+        if let (true, Some(Token::Unknown(words))) = (article, self.tokens.get(end))
+            && !matches!(self.tokens.get(end + 1), Some(Token::Word(Word::Noun(_))))
+        {
+            let sort = Sort::Other(words.clone().into());
+            self.found.entry(number).or_default().push(Object { names, ..Object::new(sort) });
+        }
+    }
 }
 
 /// The left side of an equation, or a formula alone.
@@ -205,4 +231,16 @@ pub(super) fn ends(items: &[Expr]) -> Option<(Expr, Expr)> {
     let [one] = items else { return None };
     let ([from, to], _) = interval(one)?;
     Some((from.clone(), to.clone()))
+}
+
+/// Whether a formula is a sum, a product, a composition or a derivative of functions with capital letters: F + G, F'.
+pub(super) fn is_made_of_functions(expr: &Expr) -> bool {
+    let capitals = bases(expr).iter().all(|name| name.starts_with(char::is_uppercase));
+    let made = match &expr.kind {
+        Kind::Prime(..) | Kind::Compose(_) => true,
+        Kind::Add(terms) => terms.len() > 1,
+        Kind::Mul(factors) => factors.len() > 1,
+        _ => false,
+    };
+    made && capitals && !expr.has(&|part| matches!(part.kind, Kind::Number(_) | Kind::Subscript(..)))
 }

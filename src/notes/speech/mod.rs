@@ -27,7 +27,7 @@ pub use blocks::{
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
-pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
+pub use quantities::{ends_with_a_point, is_the_derivative, leads_to_a_point, speaks_of_the_centroid};
 pub use release::{holds_for_any, is_arbitrary, releases, speaks_of_a_kind};
 pub use rewriting::says_as;
 pub use tongue::is_understood;
@@ -405,24 +405,6 @@ pub fn explains(words: &str) -> bool {
     let mut words = words.flat_map(|conditions| conditions.values.iter().chain(conditions.cases.first()));
     words.any(|word| text.starts_with(word))
 }
-
-/// Whether words are one for the first derivative, and nothing else.
-pub fn is_the_derivative(words: &str) -> bool {
-    let text = plain(words);
-    DERIVATIVE.contains(&text.trim())
-}
-
-/// The words for the first derivative.
-const DERIVATIVE: &[&str] = &[
-    "derivative",
-    "first derivative",
-    "hodograph",
-    "ableitung",
-    "erste ableitung",
-    "dérivée",
-    "导数",
-    "一阶导数",
-];
 
 /// Which of two parts, the left or the right one, words speak of last.
 pub fn last_side(words: &str) -> Option<Topic> {

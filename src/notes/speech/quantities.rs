@@ -79,3 +79,21 @@ pub fn speaks_of_the_centroid(words: &str) -> bool {
     let text = text.replace("重心坐标", "");
     CENTROIDS.iter().any(|word| text.contains(word))
 }
+
+/// Whether words are one for the first derivative, and nothing else.
+pub fn is_the_derivative(words: &str) -> bool {
+    let text = plain(words);
+    DERIVATIVE.contains(&text.trim())
+}
+
+/// The words for the first derivative.
+const DERIVATIVE: &[&str] = &[
+    "derivative",
+    "first derivative",
+    "hodograph",
+    "ableitung",
+    "erste ableitung",
+    "dérivée",
+    "导数",
+    "一阶导数",
+];
