@@ -270,6 +270,14 @@ impl Checker {
                 !other.sure && !other.letters.is_disjoint(&own) && place.knows(&other.place, other.assumed)
             });
         let differs = matches!(found, Consequence::Differs(_));
+        // "Over [-1, 1] they are b_0 = 2, …": those of another interval than before
+        let elsewhere = self
+            .context
+            .intervals_beside(place)
+            .any(|(formula, ..)| formula > last && formula <= place.formula);
+        if differs && elsewhere {
+            return None;
+        }
         // b_1 = b_2 may be what is asked of them.
         if differs && (number(&claim.1).is_none() && is_one(&claim.1) || !is_one(&claim.0)) {
             return None;

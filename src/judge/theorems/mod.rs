@@ -382,7 +382,13 @@ impl Checker {
         let mut found = Vec::new();
         for theorem in known {
             let halves = [Topic::Half, Topic::Subdivision].into_iter().any(|topic| theorem.is_about(topic));
+            // "Its right part has the control points c_j."
+            let other_side = |mean: &str, own: Topic, other: Topic| {
+                theorem.means(mean) && statement.near.has(other) && !statement.near.has(own)
+            };
             if !theorem.is_spoken_of(topics)
+                || other_side("left", Topic::First, Topic::Second)
+                || other_side("right", Topic::Second, Topic::First)
                 || cut_elsewhere && halves
                 || of_part && theorem.means("scheme")
                 || theorem.even && !even(theorem)

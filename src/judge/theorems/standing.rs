@@ -240,7 +240,11 @@ impl Checker {
                     "b" => of_points(&head),
                     _ => self.context.object_called(&head.base, place),
                 };
-                let own = told.is_some_and(differs);
+                // Of a spline without its knots the ends are not known.
+                let open = told.is_some_and(|told| {
+                    told.object.sort == Sort::SplineCurve && told.object.knots.is_empty()
+                });
+                let own = told.is_some_and(differs) || theirs == "p" && open && theorem.means("curve");
                 let of = told.and_then(|told| Head::of(told.object.of.as_ref()?));
                 let of = of.and_then(|of| self.context.object_called(&of.base, place));
                 let of_degree = of.is_some_and(differs);

@@ -273,14 +273,16 @@ pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&
         .then_some("true for positive integers")
 }
 
-/// The side with the terms after a sum or product that is not closed taken into it: Σ (2i − 1) for Σ 2i − 1.
+/// The side with the numbers after a sum or product that is not closed taken into it: Σ (2i − 1) for Σ 2i − 1. Letters stay
+/// outside: Σ x_i^2 − m^2 is not Σ (x_i^2 − m^2).
 fn reaching_on(side: &Expr) -> Expr {
     let Kind::Add(terms) = &side.kind else { return side.clone() };
     let sums = |term: &Term| {
         let open = matches!(&term.expr.kind, Kind::Big { op: BigOp::Sum | BigOp::Product, .. });
         term.sign == Sign::Plus && open
     };
-    let Some(at) = terms.iter().position(sums).filter(|&at| at + 1 < terms.len()) else {
+    let numbers = |at: usize| terms[at + 1..].iter().all(|term| bases(&term.expr).is_empty());
+    let Some(at) = terms.iter().position(sums).filter(|&at| at + 1 < terms.len() && numbers(at)) else {
         return side.clone();
     };
     let mut sum = terms[at].expr.clone();
