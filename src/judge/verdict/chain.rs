@@ -246,6 +246,7 @@ impl Checker {
                 }
             } else {
                 self.definition(chain, head, statement, &mut findings[0]);
+                self.gives_knots(head, &chain.sides[1].expr, place);
                 self.convention(head, &chain.sides[1].expr, statement);
             }
             start = 1;

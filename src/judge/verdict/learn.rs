@@ -10,9 +10,30 @@ use crate::judge::reasons::lint;
 use crate::judge::written::features::missing_argument;
 use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::lexicon::families;
+use crate::language::lexicon::roles::{self, Listed};
 use num_traits::Zero;
 
 impl Checker {
+    /// The knot vector T = (0, 0, 0, 1, 2, 2, 2) gives t_0, t_1, …, where the page writes its members so.
+    pub(in crate::judge) fn gives_knots(&mut self, head: &Head, list: &Expr, place: &Place) {
+        let letter = head.base.to_lowercase();
+        let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let numbers = |items: &&[Expr]| {
+            let values: Option<Vec<_>> = items.iter().map(Expr::as_number).collect();
+            values.is_some_and(|values| values.len() > 3 && values.is_sorted())
+        };
+        let Some(items) = list.elements().filter(numbers) else { return };
+        let usual = roles::listed(&letter) == Some(Listed::Knots) && letter != head.base;
+        let named = self.context.letters.has_members(&letter);
+        if !whole || !usual || !named || self.context.visible(&letter, place).next().is_some() {
+            return;
+        }
+        for (number, item) in (0..).zip(items.to_vec()) {
+            let member = Head { base: letter.clone(), lower: vec![Expr::int(number)], ..head.clone() };
+            self.define(member, Body::Formula(item), &[], place, list.span);
+        }
+    }
+
     pub(in crate::judge) fn definition(
         &mut self,
         chain: &Chain,

@@ -58,11 +58,18 @@ pub fn changes_data(words: &str, foreign: bool) -> bool {
     let text = words.to_lowercase();
     let begins =
         |cue: &str| text.match_indices(cue).any(|(at, _)| !text.piece(..at).ends_with(char::is_alphanumeric));
+    // "We replace each monomial by its polar form": no data.
+    if NO_DATA.iter().any(|noun| text.contains(noun)) {
+        return false;
+    }
     LANGUAGES.iter().any(|language| {
         let mut cues = language.recalls.changed.iter();
         cues.any(|cue| if language.spaced { begins(cue) } else { text.contains(cue) })
     }) || foreign && super::tongue::CHANGED.iter().any(|cue| begins(cue))
 }
+
+/// What formulas are made of, and no data: who replaces these changes none.
+const NO_DATA: &[&str] = &["monomial", "monôme", "monom ", "monome", "单项式", "each power", "powers of", "jede potenz"];
 
 /// How words begin after which something certainly stands in the place of something else.
 const REPLACED: &[&str] = &[
@@ -168,7 +175,8 @@ pub fn is_for_some_data(words: &str) -> bool {
             true => last.split_whitespace().next() == Some(cue) && (2..=4).contains(&more),
             false => last.starts_with(cue) && last.chars().count() <= 8 && last != cue,
         };
-        language.conditions.cases.iter().any(|cue| begins(cue)) && !last.contains([',', '，'])
+        let example = last.ends_with("example") || last.ends_with("instance");
+        language.conditions.cases.iter().any(|cue| begins(cue)) && !last.contains([',', '，']) && !example
     })
 }
 
