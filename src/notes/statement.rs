@@ -23,7 +23,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, interval, spread};
 use crate::judge::page::statement::{Chain, Layout, Place, Said, Side, Statement};
 use crate::judge::page::topic::{Topic, Topics};
-use crate::judge::written::names::{Head, bases};
+use crate::judge::written::names::{Head, bases, is_index_letter};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::lexicon::roles::is_variable;
 use crate::language::{latex, syntax};
@@ -235,7 +235,9 @@ impl Reader<'_> {
             _ => None,
         };
         if self.table.is_inside() {
-            return self.table.formula(only);
+            let side = only.cloned();
+            self.statements[first..].iter_mut().for_each(as_label);
+            return self.table.formula(side.as_ref());
         }
         let latex = |span: Span| clean(&self.document.source(span));
         let found = only.map(|side| triangles::in_matrix(&side.expr, &latex)).unwrap_or_default();
@@ -593,4 +595,17 @@ fn clean(latex: &str) -> String {
     let lines: Vec<&str> = latex.lines().map(|line| line.trim_start_matches(['>', ' ']).trim_end()).collect();
     let text = lines.join("\n");
     text.trim().trim_start_matches('&').trim_end_matches('&').trim_end_matches("\\\\").trim().to_owned()
+}
+
+/// "i = 0" at the head of a row of a table gives no i.
+fn as_label(statement: &mut Statement) {
+    let Said::Chain(chain) = &statement.said else { return };
+    let ([name, number], [(Rel::Eq, _)]) = (chain.sides.as_slice(), chain.relations.as_slice()) else {
+        return;
+    };
+    let index = matches!(&name.expr.kind, Kind::Name(letter) if is_index_letter(letter));
+    if index && number.expr.as_int().is_some() {
+        let latex = format!("{} = {}", name.latex, number.latex);
+        statement.said = Said::Bare(Side { expr: chain.whole(), latex }, Vec::new());
+    }
 }

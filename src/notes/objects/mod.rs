@@ -61,7 +61,9 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         }
         match cells {
             Some(cells) => table.push(cells),
-            None => tables::put(tables::data(&std::mem::take(&mut table)), &talk.topic, &mut found),
+            None => {
+                tables::put(tables::data(&std::mem::take(&mut table), &formulas), &talk.topic, &mut found)
+            }
         }
         let above = count.checked_sub(1).map(|before| sentences[before].as_slice());
         for (name, value) in above.map(|above| tables::values(above, sentence, &formulas)).unwrap_or_default()
@@ -87,7 +89,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         reader.read();
         talk = reader.talk;
     }
-    tables::put(tables::data(&table), &talk.topic, &mut found);
+    tables::put(tables::data(&table, &formulas), &talk.topic, &mut found);
     for sentence in sentences {
         told_before(sentence, statements, &mut found);
     }

@@ -7,9 +7,9 @@ use super::super::sentence::Piece;
 use super::super::speech::{self, Word};
 use super::subject::named;
 use crate::formula::source::Pieces;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::page::object::{Object, Sort};
-use crate::judge::written::names::{Head, bases, is_index_letter};
+use crate::judge::written::names::{Head, bases, is_index_letter, walk};
 use crate::language::syntax;
 
 /// A cell of a table: its words, and the formulas in it.
@@ -105,7 +105,10 @@ pub(super) fn cells(pieces: &[Piece], formulas: &BTreeMap<usize, Vec<Expr>>) -> 
 
 /// What a table says of names, each thing with the formula that it stands at: i | 0 | 1 | 2 above u_i | 0 | 0 | 1, points with
 /// their coordinates, by rows or by columns.
-pub(super) fn data(rows: &[Vec<Cell>]) -> Vec<(usize, Object)> {
+pub(super) fn data(rows: &[Vec<Cell>], formulas: &BTreeMap<usize, Vec<Expr>>) -> Vec<(usize, Object)> {
+    if let Some(net) = net(rows, formulas) {
+        return vec![net];
+    }
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     let turned: Vec<Vec<Cell>> = (0..width)
         .map(|at| rows.iter().map(|row| row.get(at).cloned().unwrap_or_default()).collect())
@@ -129,6 +132,52 @@ pub(super) fn put(data: Vec<(usize, Object)>, topic: &[Expr], found: &mut BTreeM
         }
         found.entry(number).or_default().push(object);
     }
+}
+
+/// The number of a row or column: 2 of "i = 2".
+fn label(cell: &Cell) -> Option<(String, i64)> {
+    let Kind::Chain(left, links) = &cell.value()?.kind else { return None };
+    match (&left.kind, links.as_slice()) {
+        (Kind::Name(letter), [link]) if link.rel == Rel::Eq && is_index_letter(letter) => {
+            Some((letter.clone(), link.expr.as_int()?))
+        }
+        _ => None,
+    }
+}
+
+/// A net of points: rows "i = 0", "i = 1" and columns "j = 0", "j = 1" of the b_{i,j} that were spoken of before.
+fn net(rows: &[Vec<Cell>], formulas: &BTreeMap<usize, Vec<Expr>>) -> Option<(usize, Object)> {
+    let ([head, rest @ ..], place) = (rows, rows.iter().flatten().find_map(|cell| cell.number)?) else {
+        return None;
+    };
+    let columns: Vec<(String, i64)> = head.get(1..)?.iter().map(label).collect::<Option<_>>()?;
+    let lines: Vec<(String, i64)> = rest.iter().map(|row| label(row.first()?)).collect::<Option<_>>()?;
+    let (column, line) = (&columns.first()?.0, &lines.first()?.0);
+    let mut letter = None;
+    for said in formulas.range(..place).flat_map(|(_, said)| said) {
+        walk(said, &mut |part| {
+            let named = |index: &Expr, name: &String| matches!(&index.kind, Kind::Name(own) if own == name);
+            if let Some(own) = Head::of(part)
+                && let [one, other] = own.lower.as_slice()
+                && named(one, line)
+                && named(other, column)
+                && own.arguments.is_none()
+            {
+                letter = Some(own.base);
+            }
+        });
+    }
+    let letter = letter?;
+    let (mut names, mut values) = (Vec::new(), Vec::new());
+    for (row, (_, i)) in rest.iter().zip(&lines) {
+        for (cell, (_, j)) in row[1..].iter().zip(&columns) {
+            names.push(
+                Kind::Subscript(Box::new(Expr::name(&letter)), vec![Expr::int(*i), Expr::int(*j)]).into(),
+            );
+            values.push(given(cell.value()?)?);
+        }
+    }
+    (!names.is_empty()).then(|| (place, Object { names, values, ..Object::new(Sort::Symbols) }))
 }
 
 fn by_rows(rows: &[Vec<Cell>]) -> Vec<(usize, Object)> {

@@ -69,7 +69,8 @@ pub fn changes_data(words: &str, foreign: bool) -> bool {
 }
 
 /// What formulas are made of, and no data: who replaces these changes none.
-const NO_DATA: &[&str] = &["monomial", "monôme", "monom ", "monome", "单项式", "each power", "powers of", "jede potenz"];
+const NO_DATA: &[&str] =
+    &["monomial", "monôme", "monom ", "monome", "单项式", "each power", "powers of", "jede potenz"];
 
 /// How words begin after which something certainly stands in the place of something else.
 const REPLACED: &[&str] = &[
