@@ -316,7 +316,12 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             chain.quantified = used.intersection(&quantified).cloned().collect();
             chain.universal = !chain.quantified.is_empty() || role == Some(Role::Always);
         }
+        // "Sie ist genau dann C^1 in u_1, wenn b_n = …"
+        let exactly = || formulas.iter().any(|&at| at <= own && speech::says_exactly(&words_of(at).left));
         role = match role {
+            Some(Role::Case) if speech::ends_with_when(&words_of(own).left) && exactly() => {
+                Some(Role::Equivalent)
+            }
             Some(Role::Always) => Some(Role::Claimed),
             Some(Role::All) => Some(Role::Case),
             role => role,

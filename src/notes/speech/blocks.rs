@@ -152,6 +152,17 @@ pub fn parity_before(words: &str) -> Option<bool> {
     if is(ODD) { Some(true) } else { is(EVEN).then_some(false) }
 }
 
+/// Whether words begin "exactly then", which a later "when" ends: "genau dann …, wenn".
+pub fn says_exactly(words: &str) -> bool {
+    let text = words.to_lowercase();
+    text.contains("genau dann") || text.contains("dann und nur dann")
+}
+
+/// Whether words end with the "when" of that.
+pub fn ends_with_when(words: &str) -> bool {
+    words.to_lowercase().trim_end().ends_with("wenn")
+}
+
 /// Whether the last word is one that puts something else in the place of what follows: "and replace".
 pub fn ends_with_a_change(words: &str) -> bool {
     words.split_whitespace().next_back().is_some_and(|word| changes_data(word, false))

@@ -21,9 +21,9 @@ mod tongue;
 mod unreal;
 
 pub use blocks::{
-    Block, block, changes_data, ends_a_sentence, ends_with_a_change, generalises, gives_example,
-    goes_on_from_before, is_for_some_data, is_with_some_data, kind_of_block, number_of_block, opens_data,
-    parity_before, recalled, replaces_data, replaces_next, sets_apart,
+    Block, block, changes_data, ends_a_sentence, ends_with_a_change, ends_with_when, generalises,
+    gives_example, goes_on_from_before, is_for_some_data, is_with_some_data, kind_of_block, number_of_block,
+    opens_data, parity_before, recalled, replaces_data, replaces_next, says_exactly, sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
