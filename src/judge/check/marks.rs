@@ -1,10 +1,44 @@
-//! New things with the letter of an old one and a prime: the vertex S' in the place of S; and κ_+ beside κ_-, no positive part.
+//! What is written in other ways than it is meant: a new thing with the letter of an old one and a prime, S' in the place
+//! of S; κ_+ beside κ_-, no positive part; χ of an interval.
 //!
 //! **Rule.** S' = … names a new thing if nothing on the page is a function S, or says what S is.
 
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Link, Rel, interval};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::statement::{Chain, Place};
+
+/// B_{j,1} = χ_{[t_j, t_{j+1})} as a formula with cases: 1 for t_j ≤ x < t_{j+1}, otherwise 0.
+pub(in crate::judge) fn with_characteristic_function(chain: &Chain) -> Option<Chain> {
+    let ([left, right], [(Rel::Eq | Rel::Define, _)]) = (chain.sides.as_slice(), chain.relations.as_slice())
+    else {
+        return None;
+    };
+    let (function, at) = match &right.expr.kind {
+        Kind::Apply(function, groups) => (function.as_ref(), groups.concat()),
+        _ => (&right.expr, Vec::new()),
+    };
+    let Kind::Subscript(letter, index) = &function.kind else { return None };
+    let ([index], Kind::Name(name)) = (index.as_slice(), &letter.kind) else { return None };
+    let ([from, to], [above, below]) = interval(index).filter(|_| name == "chi")?;
+    let called = matches!(left.expr.kind, Kind::Apply(..));
+    let variable = match at.as_slice() {
+        [] if !called => Expr::name("x"),
+        [one] if called => one.clone(),
+        _ => return None,
+    };
+    let sign = |open: bool| if open { Rel::Lt } else { Rel::Le };
+    let link = |rel: Rel, expr: &Expr| Link { rel, span: index.span, expr: expr.clone() };
+    let within =
+        Kind::Chain(Box::new(from.clone()), vec![link(sign(above), &variable), link(sign(below), to)]);
+    let cases = vec![(Expr::int(1), Some(Expr::new(within, index.span))), (Expr::int(0), None)];
+    let mut changed = chain.clone();
+    changed.sides[1].expr = Expr::new(Kind::Cases(cases), right.expr.span);
+    if !called {
+        let call = Kind::Apply(Box::new(left.expr.clone()), vec![vec![variable]]);
+        changed.sides[0].expr = Expr::new(call, left.expr.span);
+    }
+    Some(changed)
+}
 
 impl Checker {
     /// The chain with names S' in the place of derivatives of what is no function.

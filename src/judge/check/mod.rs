@@ -109,6 +109,8 @@ impl Checker {
                 let chain = operated.as_ref().unwrap_or(chain);
                 let renamed = self.with_marked_names(chain, &statement.place);
                 let chain = renamed.as_ref().unwrap_or(chain);
+                let characteristic = marks::with_characteristic_function(chain);
+                let chain = characteristic.as_ref().unwrap_or(chain);
                 let general = |base: &str| {
                     let mut known = self.context.visible(base, &statement.place);
                     known.any(|(_, own, _)| own.head.lower.iter().any(|index| !bases(index).is_empty()))

@@ -240,7 +240,10 @@ impl Checker {
             own.sides = (sorted(&own.sides.0, &polar), sorted(&own.sides.1, &polar));
         }
         let claim = &(sorted(&claim.0, &polar), sorted(&claim.1, &polar));
-        used.extend(on_lines(&terms_of(claim, &used), &polar));
+        // The pieces of a spline have polar forms of their own.
+        if !statement.topics.has(Topic::Spline) {
+            used.extend(on_lines(&terms_of(claim, &used), &polar));
+        }
         let of = |used: &[&Used]| {
             let sides: Vec<Sides> = used.iter().map(|own| own.sides.clone()).collect();
             consequence(&sides, claim)
@@ -270,12 +273,12 @@ impl Checker {
                 !other.sure && !other.letters.is_disjoint(&own) && place.knows(&other.place, other.assumed)
             });
         let differs = matches!(found, Consequence::Differs(_));
-        // "Over [-1, 1] they are b_0 = 2, …": those of another interval than before
+        // "Over [-1, 1] they are b_0 = 2, …": those of another interval than before; polar values hold everywhere.
         let elsewhere = self
             .context
             .intervals_beside(place)
             .any(|(formula, ..)| formula > last && formula <= place.formula);
-        if differs && elsewhere {
+        if differs && elsewhere && !matches!(claim.0.kind, Kind::Apply(..)) {
             return None;
         }
         // b_1 = b_2 may be what is asked of them.

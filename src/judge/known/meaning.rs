@@ -132,6 +132,19 @@ fn covers(definition: &Definition, head: &Head) -> bool {
         && (dots(own) || dots(head) || own.flat().len() == head.flat().len())
 }
 
+/// Whether a formula gives a function by cases between members with its own index: B_{j,1}(x) = 1 for t_j ≤ x < t_{j+1}.
+/// So begin B-splines, whatever their letter.
+fn is_between_knots(head: &Head, body: &Expr) -> bool {
+    let Kind::Cases(cases) = &body.kind else { return false };
+    let Some(Expr { kind: Kind::Name(index), .. }) = head.lower.first() else { return false };
+    let member = |part: &Expr| match &part.kind {
+        Kind::Subscript(_, lower) => lower.iter().any(|own| bases(own).contains(index)),
+        _ => false,
+    };
+    let ranged = |condition: &Expr| is_range(condition) && condition.has(&member);
+    cases.iter().filter_map(|(_, condition)| condition.as_ref()).any(ranged)
+}
+
 /// Whether two names have as many indices, and both or neither of them arguments.
 fn is_alike(one: &Head, other: &Head) -> bool {
     one.lower.len() == other.lower.len()
@@ -236,7 +249,7 @@ impl Checker {
         place: &Place,
         curve: &Option<Curve>,
     ) -> bool {
-        let own = self.context.is_own(&head.base, place);
+        let own = self.context.is_own(&head.base, place) || is_between_knots(head, body);
         let standard = match head.notation().map(|notation| notation.family).filter(|_| !own) {
             Some(Family::Bernstein | Family::Triangular) => true,
             Some(Family::SymmetricMean) => head.arguments.is_some(),
@@ -541,7 +554,8 @@ impl Checker {
                 })
         });
         let listed = !self.context.given_knots(&letters, place).is_empty();
-        !indexed && !given && !listed && (numbered || self.context.stated_knots(place).is_empty())
+        let open = !indexed || at_number;
+        open && !given && !listed && (numbered || self.context.stated_knots(place).is_empty())
     }
 
     /// Whether a hypothesis of the section speaks of a name.

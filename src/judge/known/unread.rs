@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, interval};
 use crate::judge::known::checker::Checker;
 use crate::judge::page::context::Context;
 use crate::judge::page::finding::{Finding, Verdict};
@@ -77,6 +77,15 @@ impl Checker {
 
 /// The letter of a family of which an equation says all that it is, in another way than everybody does: B_i^n(t) = t^i.
 fn family_of_its_own(chain: &Chain, findings: &[Finding]) -> Option<String> {
+    // B_i^{n,[a,b]}(x) = …, of which the interval is left out later on
+    let over_an_interval = Head::of(&chain.sides[0].expr).filter(|head| {
+        let mut indices = head.lower.iter().chain(&head.upper);
+        let with_interval = |index: &Expr| index.has(&|part| interval(part).is_some());
+        head.arguments.is_some() && families::is_family(&head.base) && indices.any(with_interval)
+    });
+    if let Some(head) = over_an_interval {
+        return Some(head.base);
+    }
     let head = family_told(chain).filter(|_| chain.relations.len() == 1)?;
     let first = findings.first()?;
     let other = first.verdict == Verdict::Refuted || first.warning.is_some();

@@ -1,6 +1,6 @@
 //! The knots that a page speaks of: listed, named, given by numbers, or told by supports.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::formula::{Expr, Kind, Rel, Sign, interval};
 use crate::judge::page::context::{Body, Context};
@@ -24,12 +24,15 @@ impl Context {
         if found.is_empty() {
             found = divided_by(sides);
         }
-        if found.is_empty() { vec![self.usual_knots(place)] } else { found }
+        if found.is_empty() { vec![self.usual_knots(place, sides)] } else { found }
     }
 
     /// The letter that many give to knots and this section to numbers in a row: u, after u_0 = u_1 = u_2 = 0, u_3 = 1; else t.
-    fn usual_knots(&self, place: &Place) -> String {
-        let mut others = roles::letters_of(Listed::Knots).filter(|letter| *letter != "t");
+    /// Coefficients are none: the abscissae ξ_i in Σ ξ_i N_i(u).
+    fn usual_knots(&self, place: &Place, sides: &[&Expr]) -> String {
+        let coefficients = coefficients(sides);
+        let mut others = roles::letters_of(Listed::Knots)
+            .filter(|letter| *letter != "t" && !coefficients.contains(*letter));
         let given = |letter: &&str| !in_order(self.members_given(&[(*letter).to_owned()], place)).is_empty();
         others.find(given).unwrap_or("t").to_owned()
     }
@@ -294,6 +297,21 @@ impl Context {
         }
         found
     }
+}
+
+/// The letters of members that are multiplied by values of functions: ξ of ξ_i N_i(u).
+fn coefficients(sides: &[&Expr]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Mul(factors) = &part.kind
+                && factors.iter().any(|factor| matches!(factor.kind, Kind::Apply(..)))
+            {
+                found.extend(factors.iter().filter_map(family).flat_map(bases));
+            }
+        });
+    }
+    found
 }
 
 /// The letter of a member: t of t_i.

@@ -113,6 +113,7 @@ impl Checker {
     ) -> Option<(Finding, Option<Agreement>)> {
         let (left, right) = (&chain.sides[first].expr, main_case(&chain.sides[at + 1].expr));
         if !chain.relations[first..=at].iter().all(|(relation, _)| matches!(relation, Rel::Eq | Rel::Define))
+            || [left, right].into_iter().any(|side| side.has(&is_point))
             || chain.sides[first].is_unread()
             || chain.sides[at + 1].is_unread()
         {
@@ -477,4 +478,9 @@ fn spoken(mut topics: Topics, sides: [&Expr; 2]) -> Topics {
         });
     }
     topics
+}
+
+/// (0, -1): with numbers a claim is no instance of a theorem on letters.
+fn is_point(part: &Expr) -> bool {
+    matches!(&part.kind, Kind::Tuple(items) | Kind::List(items) if items.len() > 1 && bases(part).is_empty())
 }
