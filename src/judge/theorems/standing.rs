@@ -54,6 +54,7 @@ impl Checker {
         }
         if self.is_of_another_size(theorem, equation, way, said, claim.place)
             || self.is_of_another_degree(theorem, way, claim.place)
+            || self.are_of_another_order(theorem, way, claim.place)
             || self.are_of_other_degrees(theorem, equation, way, said, claim.place)
             || self.is_over_named_ends(theorem, equation, claim.place)
             || is_over_another_interval(theorem, equation, said)
@@ -150,11 +151,7 @@ impl Checker {
         let near = |other: &Place| other.group == place.group && place.in_reach(other, false);
         let mut told = self.context.sizes_of(size).filter(|own| near(&own.place)).peekable();
         let is_it = |own: &Declared| {
-            // Of degree m ≥ 2
-            let degree = own.object.degree.as_ref().map(|degree| match &degree.kind {
-                Kind::Chain(left, _) => left,
-                _ => degree,
-            });
+            let degree = own.object.degree.as_ref().map(bare_degree);
             let raised = |degree: &Expr| raised && degree.same_as(&letter.clone().plus(1));
             own.object.sort != Sort::Order
                 && degree.is_none_or(|degree| degree.same_as(&letter) || raised(degree))
@@ -171,22 +168,14 @@ impl Checker {
         raised && sizes.peek().is_some() && !sizes.any(|expr| expr.same_as(&next))
     }
 
-    /// Whether a curve that words give another degree, or points that end elsewhere, or derivatives of another order, stand
-    /// for those of the theorem: y of degree n, where x has degree m.
-    fn are_of_other_degrees(
-        &self,
-        theorem: &Theorem,
-        equation: &Equation,
-        way: &Way,
-        said: &Said,
-        place: &Place,
-    ) -> bool {
+    /// Whether derivatives of another order stand for those of the theorem: moments, M_i = s''(x_i), for slopes.
+    fn are_of_another_order(&self, theorem: &Theorem, way: &Way, place: &Place) -> bool {
         let order = |letter: &str| match letter {
             "M" => Some(2),
             "m" if theorem.means("spline") => Some(1),
             _ => None,
         };
-        let derived = |(theirs, ours): &(String, Expr)| {
+        way.letters.iter().any(|(theirs, ours)| {
             let (Some(order), Some(head)) = (order(theirs), Head::of(ours)) else { return false };
             let mut own =
                 self.context.visible(&head.base, place).filter_map(|(_, own, near)| match &own.body {
@@ -197,67 +186,58 @@ impl Checker {
                     _ => None,
                 });
             own.next().is_some_and(|own| own != order)
-        };
-        if way.letters.iter().any(derived) {
-            return true;
-        }
+        })
+    }
+
+    /// Whether a curve that words give another degree, or points that end elsewhere, stand for those of the theorem: y of
+    /// degree n, where x has degree m.
+    fn are_of_other_degrees(
+        &self,
+        theorem: &Theorem,
+        equation: &Equation,
+        way: &Way,
+        said: &Said,
+        place: &Place,
+    ) -> bool {
         if theorem.is_about(Topic::Elevation) || equation.order {
             return false;
         }
         let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());
-        let Some(size) = size.or_else(|| theorem.degree().map(Expr::int)) else { return false };
-        let size = &size;
+        let size = size.or_else(|| theorem.degree().map(Expr::int));
         // n - 1 for n is a slip.
-        if !matches!(size.kind, Kind::Name(_) | Kind::Number(_)) {
-            return false;
-        }
-        let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
-        let differs = |told: &Declared| {
-            let Some(degree) = &told.object.degree else { return false };
-            let plain = match &degree.kind {
-                Kind::Chain(left, _) => left.as_ref(),
-                _ => degree,
+        let Some(size) = size.filter(is_plain) else { return false };
+        let differs = |told: &Declared| has_another_degree(told, &size, said, place);
+        let theirs = way.letters.iter();
+        theirs.filter(|(theirs, _)| matches!(theirs.as_str(), "b" | "p" | "f" | "F")).any(|(theirs, ours)| {
+            let Some(head) = Head::of(ours) else { return false };
+            let told = match theirs.as_str() {
+                "b" => self.curve_of_points(&head, place),
+                _ => self.context.object_called(&head.base, place),
             };
-            // "For a quadratic" a polynomial of degree n may be meant, elsewhere.
-            let spoken = || size.as_int().is_some_and(|size| said.degrees.contains(&size));
-            let comparable = match (number(plain), number(size)) {
-                (true, true) => !spoken(),
-                (own, other) => own == other || told.place.group == place.group,
+            // Of a spline without its knots the ends are not known.
+            let open = told
+                .is_some_and(|told| told.object.sort == Sort::SplineCurve && told.object.knots.is_empty());
+            let of = told.and_then(|told| Head::of(told.object.of.as_ref()?));
+            let of = of.and_then(|of| self.context.object_called(&of.base, place));
+            let ends_elsewhere = || {
+                let listed = self.context.listed(&head.base, place);
+                listed.is_some_and(|(first, last)| first.as_int() == Some(0) && is_another(&last, &size))
             };
-            comparable && matches!(plain.kind, Kind::Name(_) | Kind::Number(_)) && !plain.same_as(size)
-        };
-        let of_points = |head: &Head| {
-            let mut told = self.context.objects.iter().rev().filter(|told| place.knows(&told.place, false));
-            told.find(|told| {
-                let first = told.object.points.first().and_then(Head::of);
-                told.object.is_function() && first.is_some_and(|first| first.base == head.base)
-            })
-        };
-        way.letters.iter().filter(|(theirs, _)| matches!(theirs.as_str(), "b" | "p" | "f" | "F")).any(
-            |(theirs, ours)| {
-                let Some(head) = Head::of(ours) else { return false };
-                let told = match theirs.as_str() {
-                    "b" => of_points(&head),
-                    _ => self.context.object_called(&head.base, place),
-                };
-                // Of a spline without its knots the ends are not known.
-                let open = told.is_some_and(|told| {
-                    told.object.sort == Sort::SplineCurve && told.object.knots.is_empty()
-                });
-                let own = told.is_some_and(differs) || theirs == "p" && open && theorem.means("curve");
-                let of = told.and_then(|told| Head::of(told.object.of.as_ref()?));
-                let of = of.and_then(|of| self.context.object_called(&of.base, place));
-                let of_degree = of.is_some_and(differs);
-                let points = theirs == "b" && theorem.means("curve");
-                let listed = || {
-                    let listed = self.context.listed(&head.base, place);
-                    listed.is_some_and(|(first, last)| {
-                        first.as_int() == Some(0) && differs_in_last(&last, size)
-                    })
-                };
-                own || of_degree || points && listed()
-            },
-        )
+            let curve = theorem.means("curve");
+            told.is_some_and(differs)
+                || of.is_some_and(differs)
+                || theirs == "p" && open && curve
+                || theirs == "b" && curve && ends_elsewhere()
+        })
+    }
+
+    /// The curve told of last that has points with a letter.
+    fn curve_of_points(&self, points: &Head, place: &Place) -> Option<&Declared> {
+        let mut told = self.context.objects.iter().rev().filter(|told| place.knows(&told.place, false));
+        told.find(|told| {
+            let first = told.object.points.first().and_then(Head::of);
+            told.object.is_function() && first.is_some_and(|first| first.base == points.base)
+        })
     }
 
     /// Whether an equation over [0, 1] is claimed where the paragraph speaks last of an interval [a, b].
@@ -470,10 +450,33 @@ fn is_for_the_unit_interval(theorem: &Theorem, equation: &Equation) -> bool {
     over_unit.into_iter().any(|kind| theorem.means(kind)) && !equation.profile.variables.iter().any(lengths)
 }
 
+/// m of a degree m ≥ 2.
+fn bare_degree(degree: &Expr) -> &Expr {
+    match &degree.kind {
+        Kind::Chain(left, _) => left,
+        _ => degree,
+    }
+}
+
+/// Whether a size is a letter or a number.
+fn is_plain(size: &Expr) -> bool {
+    matches!(size.kind, Kind::Name(_) | Kind::Number(_))
+}
+
+/// Whether words give a curve another degree. "For a quadratic" a polynomial of degree n may be meant, elsewhere.
+fn has_another_degree(told: &Declared, size: &Expr, said: &Said, place: &Place) -> bool {
+    let Some(degree) = told.object.degree.as_ref().map(bare_degree) else { return false };
+    let comparable = match (degree.as_int(), size.as_int()) {
+        (Some(_), Some(size)) => !said.degrees.contains(&size),
+        (None, None) => true,
+        _ => told.place.group == place.group,
+    };
+    comparable && is_plain(degree) && !degree.same_as(size)
+}
+
 /// Whether points end with another number than the degree: c_0, …, c_{n-1} beside n.
-fn differs_in_last(last: &Expr, size: &Expr) -> bool {
-    let number = |expr: &Expr| expr.as_int();
-    match (number(last), number(size)) {
+fn is_another(last: &Expr, size: &Expr) -> bool {
+    match (last.as_int(), size.as_int()) {
         (Some(last), Some(size)) => last != size,
         (None, None) => bases(last) == bases(size) && !last.same_as(size),
         _ => false,
