@@ -169,7 +169,7 @@ impl Trial<'_> {
             return None;
         };
         let given = place.group == self.place.group || *source == Source::Given;
-        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let plain = head.is_bare();
         let own = bases(body);
         let others = !own.is_empty() && own.iter().all(|other| other != name && integers.contains(other));
         let arithmetic = !body.has(&|part| {

@@ -164,7 +164,6 @@ impl<'a> Trial<'a> {
         outcomes.fixed = fixed.iter().all(Option::is_some);
         let opaque = has_divided_differences(&self.sides);
         let largest = if opaque { largest.min(3 + more) } else { largest };
-        outcomes.largest = largest;
         // Σ_{k=0}^6 of n over k is 2^n up to n = 6.
         let largest = match free {
             1 => largest.max(self.largest_number() + 2),

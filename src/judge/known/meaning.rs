@@ -173,7 +173,7 @@ impl Checker {
 
     /// Whether a query nearby gives a value for a name as a whole.
     pub(in crate::judge) fn is_queried(&self, head: &Head, place: &Place) -> bool {
-        let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let whole = head.is_bare();
         whole
             && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| {
                 near && d.source == Source::Query && d.head.lower.is_empty() && d.head.arguments.is_none()
@@ -297,10 +297,8 @@ impl Checker {
         }
         // g = f', and then g(t) = …
         let derived = |definition: &Definition| {
-            let bare = definition.head.lower.is_empty()
-                && definition.head.upper.is_empty()
-                && definition.head.arguments.is_none();
-            bare && matches!(&definition.body, Body::Formula(Expr { kind: Kind::Prime(..), .. }))
+            definition.head.is_bare()
+                && matches!(&definition.body, Body::Formula(Expr { kind: Kind::Prime(..), .. }))
         };
         if head.lower.is_empty()
             && head.upper.is_empty()

@@ -273,7 +273,7 @@ impl Context {
 
     /// Whether a letter alone, without indices and arguments, has a meaning of its own.
     pub fn is_named_alone(&self, base: &str, place: &Place) -> bool {
-        let alone = |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let alone = |head: &Head| head.is_bare();
         self.visible(base, place).any(|(_, own, _)| alone(&own.head))
     }
 

@@ -319,10 +319,7 @@ fn family(member: &Expr) -> Option<&Expr> {
     match &member.kind {
         Kind::Subscript(base, _) => Some(base),
         // u_i = 2i
-        Kind::Chain(left, _) => match &left.kind {
-            Kind::Subscript(base, _) => Some(base),
-            _ => None,
-        },
+        Kind::Chain(left, _) => family(left),
         _ => None,
     }
 }
@@ -360,8 +357,8 @@ fn value_at(body: &Expr, index: &str, value: i64) -> Option<Rational> {
         // i^2, 2^i
         Kind::Pow(base, exponent) => {
             let (base, exponent) = (of(base)?, of(exponent)?);
-            let power = exponent.is_integer().then(|| exponent.to_i32()).flatten()?;
-            (0..=16).contains(&power).then(|| (0..power).fold(integer(1), |all, _| all * &base))?
+            let power = exponent.is_integer().then(|| exponent.to_usize()).flatten()?;
+            (power <= 16).then(|| num_traits::pow(base, power))?
         }
         _ => return None,
     })

@@ -114,6 +114,11 @@ impl Place {
                 .is_some_and(|recalled| !earlier.blocks.is_empty() && recalled.knows(earlier, assumed))
     }
 
+    /// Whether it stands in the section, and there in the examples and proofs, of another place.
+    pub fn is_in_the_blocks_of(&self, other: &Place) -> bool {
+        self.scope == other.scope && self.blocks == other.blocks
+    }
+
     /// Whether its paragraph lets a name be anything, whatever was said of it there.
     pub fn frees(&self, name: &str, earlier: &Place) -> bool {
         self.group != earlier.group && self.arbitrary.iter().any(|own| own == name)

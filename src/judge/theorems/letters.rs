@@ -306,6 +306,13 @@ pub(super) struct Way {
     pub(super) ends: Vec<Expr>,
 }
 
+impl Way {
+    /// What stands for the degree, or order, n.
+    pub(super) fn size(&self) -> Option<&Expr> {
+        self.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size)
+    }
+}
+
 /// What the page says of sizes.
 pub(super) struct Said {
     /// Degrees.

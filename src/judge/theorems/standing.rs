@@ -84,8 +84,7 @@ impl Checker {
             return if said && !equation.order { Standing::Shifted } else { Standing::Doubtful };
         }
         if theorem.has_orders() {
-            let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size);
-            let said = size.and_then(|size| self.said_as_order(size, claim.place));
+            let said = way.size().and_then(|size| self.said_as_order(size, claim.place));
             // Where words say that it is the degree, the other is the likely slip. Many say order for the degree.
             return match said {
                 Some(true) if !equation.order => Standing::Doubtful,
@@ -143,8 +142,7 @@ impl Checker {
     /// Whether words give something else than its n as the degree: n + 1, n for an order, from n - 1 on.
     fn is_of_another_degree(&self, theorem: &Theorem, way: &Way, place: &Place) -> bool {
         let raised = theorem.is_about(Topic::Elevation);
-        let Some((_, Expr { kind: Kind::Name(size), .. })) = way.integers.iter().find(|(own, _)| own == "n")
-        else {
+        let Some(Expr { kind: Kind::Name(size), .. }) = way.size() else {
             return false;
         };
         let letter = Expr::name(size);
@@ -202,8 +200,7 @@ impl Checker {
         if theorem.is_about(Topic::Elevation) || equation.order {
             return false;
         }
-        let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());
-        let size = size.or_else(|| theorem.degree().map(Expr::int));
+        let size = way.size().cloned().or_else(|| theorem.degree().map(Expr::int));
         // n - 1 for n is a slip.
         let Some(size) = size.filter(is_plain) else { return false };
         let differs = |told: &Declared| has_another_degree(told, &size, said, place);

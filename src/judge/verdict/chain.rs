@@ -584,9 +584,8 @@ fn with_dots_written_out(sides: &[Side]) -> Vec<Expr> {
             (true, Some((head, first)), Some((other, last)))
                 if head.base == other.base && last - first < MOST_DOTS =>
             {
-                let base =
-                    |number| Kind::Subscript(Box::new(Expr::name(&head.base)), vec![Expr::int(number)]);
-                written.extend((first + 1..last).map(|number| Expr::new(base(number), side.expr.span)));
+                let member = |number| Expr { span: side.expr.span, ..Expr::indexed(&head.base, number) };
+                written.extend((first + 1..last).map(member));
             }
             _ => written.push(side.expr.clone()),
         }

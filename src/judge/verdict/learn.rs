@@ -17,7 +17,7 @@ impl Checker {
     /// The knot vector T = (0, 0, 0, 1, 2, 2, 2) gives t_0, t_1, …, where the page writes its members so.
     pub(in crate::judge) fn gives_knots(&mut self, head: &Head, list: &Expr, place: &Place) {
         let letter = head.base.to_lowercase();
-        let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let whole = head.is_bare();
         let numbers = |items: &&[Expr]| {
             let values: Option<Vec<_>> = items.iter().map(Expr::as_number).collect();
             values.is_some_and(|values| values.len() > 3 && values.is_sorted())
@@ -108,7 +108,7 @@ impl Checker {
             body.expr.span,
         );
         // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
-        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let plain = head.is_bare();
         if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {
             let used = bases(&body.expr);
             let Some(variable) = ["x", "t", "u"].into_iter().find(|name| !used.contains(*name)) else {
@@ -140,7 +140,7 @@ impl Checker {
 
     /// b = (0, 6, 3, 3), where the page speaks of b_0, b_1, …: what these are.
     fn members_listed(&self, head: &Head, list: &Expr, place: &Place) -> Vec<(Head, Expr)> {
-        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let plain = head.is_bare();
         let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
         // Of (1, 2) it is not known whether it is one point.
         let values = list.items().filter(|values| {

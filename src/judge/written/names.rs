@@ -34,6 +34,11 @@ impl Head {
         }
     }
 
+    /// Whether it is a letter alone, without indices and arguments.
+    pub(in crate::judge) fn is_bare(&self) -> bool {
+        self.lower.is_empty() && self.upper.is_empty() && self.arguments.is_none()
+    }
+
     /// The standard notation that it is written in, if it has one.
     pub(crate) fn notation(&self) -> Option<&'static Notation> {
         if self.has_its_degree_below() {

@@ -4,9 +4,8 @@
 use std::collections::BTreeMap;
 
 use super::super::sentence::Piece;
-use super::super::speech::{self, Word};
+use super::super::speech;
 use super::subject::named;
-use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::page::object::{Object, Sort};
 use crate::judge::written::names::{Head, bases, is_index_letter, walk};
@@ -45,11 +44,7 @@ impl Cell {
 
     /// Whether its words speak of knots.
     fn is_of_knots(&self) -> bool {
-        let words = self.words.to_lowercase();
-        let starts =
-            words.char_indices().filter(|(at, _)| !words.piece(..*at).ends_with(char::is_alphabetic));
-        let mut said = starts.filter_map(|(at, _)| speech::word(words.piece(at..)));
-        said.any(|(_, word)| matches!(word, Word::Noun(Sort::Knots)))
+        speech::speaks_of(&self.words, &Sort::Knots)
     }
 
     /// The number of a coordinate that the cell speaks of: x, x_i, "x of P_i".
@@ -62,8 +57,8 @@ impl Cell {
 
     /// The letter with an index of its own in the cell: u_i.
     fn family(&self) -> Option<Head> {
-        let heads = self.formulas.iter().filter_map(Head::of);
-        heads.into_iter().find(|head| {
+        let mut heads = self.formulas.iter().filter_map(Head::of);
+        heads.find(|head| {
             let index = |index: &Expr| matches!(&index.kind, Kind::Name(letter) if is_index_letter(letter));
             matches!(head.lower.as_slice(), [only] if index(only))
                 && head.upper.is_empty()
@@ -223,7 +218,7 @@ fn by_rows(rows: &[Vec<Cell>]) -> Vec<(usize, Object)> {
             [only] => only[at].clone(),
             rows => Kind::Tuple(rows.iter().map(|row| row[at].clone()).collect()).into(),
         };
-        let names = (first..).take(count).map(|number| member(&letter, number)).collect();
+        let names = (first..).take(count).map(|number| Expr::indexed(&letter, number)).collect();
         Object { names, values: (0..count).map(value).collect(), ..Object::new(sort) }
     };
     families.into_iter().map(|family| (place, object(family))).collect()
@@ -232,10 +227,6 @@ fn by_rows(rows: &[Vec<Cell>]) -> Vec<(usize, Object)> {
 /// A value without names.
 fn given(value: Expr) -> Option<Expr> {
     bases(&value).is_empty().then_some(value)
-}
-
-fn member(letter: &str, number: i64) -> Expr {
-    Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(number)]).into()
 }
 
 /// A row of a table: its name and the numbers after it.

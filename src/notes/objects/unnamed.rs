@@ -4,12 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::page::{Page, Section};
-use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind};
 use crate::judge::page::object::{Object, Sort};
 use crate::judge::written::names::{Head, walk};
 use crate::language::lexicon::roles::is_variable;
-use crate::notes::speech::{self, Word};
+use crate::notes::speech;
 
 /// Letters that such functions have where nobody says more.
 const LETTERS: &[&str] = &["b", "beta", "phi"];
@@ -34,7 +33,7 @@ pub(super) fn tell(sections: &[Section], page: &Page, found: &mut BTreeMap<usize
         }
     }
     for section in sections {
-        if !section.words().any(speaks_of_bernstein) {
+        if !section.words().any(|words| speech::speaks_of(words, &Sort::Bernstein)) {
             continue;
         }
         let mut told = BTreeSet::new();
@@ -63,11 +62,4 @@ fn member(part: &Expr) -> Option<(String, Expr)> {
     let named = |index: &&Expr| matches!(index.kind, Kind::Name(_));
     let indices: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
     (called && indices.len() == 2 && indices.iter().all(named)).then(|| (head.base, callee.as_ref().clone()))
-}
-
-fn speaks_of_bernstein(words: &str) -> bool {
-    let text = words.to_lowercase();
-    let starts = text.char_indices().filter(|(at, _)| !text.piece(..*at).ends_with(char::is_alphabetic));
-    let mut said = starts.filter_map(|(at, _)| speech::word(text.piece(at..)));
-    said.any(|(_, word)| matches!(word, Word::Noun(Sort::Bernstein)))
 }

@@ -302,6 +302,14 @@ fn normal(words: &str) -> String {
     plain(words).trim_matches(ends).to_owned()
 }
 
+/// Whether words have a noun for things of a sort.
+pub fn speaks_of(words: &str, sort: &Sort) -> bool {
+    let text = words.to_lowercase();
+    let starts = text.char_indices().filter(|(at, _)| !text.piece(..*at).ends_with(char::is_alphabetic));
+    let mut said = starts.filter_map(|(at, _)| word(text.piece(at..)));
+    said.any(|(_, word)| matches!(word, Word::Noun(own) if own == sort))
+}
+
 /// The longest phrase at the start of a text in small letters, with its length in bytes.
 pub fn word(text: &str) -> Option<(usize, &'static Word)> {
     static ALL: LazyLock<Starts<(&Language, &str, &Word)>> = LazyLock::new(|| {

@@ -392,7 +392,7 @@ impl Suspect<'_> {
         let own = |definition: &Definition| {
             definition.head.base == head.base
                 && definition.head.arguments.is_some()
-                && ((&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+                && (place.is_in_the_blocks_of(&definition.place)
                     || data && place.knows(&definition.place, definition.assumed))
         };
         let known = match self.symbols().is_empty() {
@@ -428,7 +428,7 @@ impl Suspect<'_> {
             definition.head.base == head.base
                 && !definition.head.lower.iter().any(number)
                 && (head.arguments.is_none() || definition.is_recursive())
-                && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+                && place.is_in_the_blocks_of(&definition.place)
         };
         let claimed = self.claimed() || self.statement.concludes;
         let value = match head.arguments {
@@ -444,9 +444,7 @@ impl Suspect<'_> {
     /// Whether it claims another number for a name whose formula and data stand here: q = a - b, where a = 2 and b = 1.
     fn is_value_of_name(&self, head: &Head) -> bool {
         let place = &self.statement.place;
-        let here = |definition: &Definition| {
-            (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
-        };
+        let here = |definition: &Definition| place.is_in_the_blocks_of(&definition.place);
         let made = |definition: &Definition| {
             definition.head.base == head.base
                 && matches!(&definition.body, Body::Formula(body) if !bases(body).is_empty())
@@ -462,9 +460,7 @@ impl Suspect<'_> {
     fn is_calculated_here(&self) -> bool {
         let [left, right] = self.sides();
         let place = &self.statement.place;
-        let here = |definition: &Definition| {
-            (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
-        };
+        let here = |definition: &Definition| place.is_in_the_blocks_of(&definition.place);
         matches!(self.statement.role, None | Some(Role::Claimed | Role::Always))
             && self.is_equation()
             && Head::of(left).is_none()

@@ -340,8 +340,7 @@ impl Suspect<'_> {
             _ => false,
         });
         let defined = symbols.iter().filter(|symbol| symbol.is_plain()).find_map(|symbol| {
-            let name =
-                |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+            let name = |head: &Head| head.is_bare();
             context.visible(symbol.base(), place).find(|(_, known, near)| *near && name(&known.head))
         });
         let line = assumed.map(|condition| condition.line).or(defined.map(|(_, known, _)| known.line))?;
